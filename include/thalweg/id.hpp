@@ -7,8 +7,8 @@
 
 namespace thalweg {
 
-/// The index of one element of kind `Tag`. Default-constructed = invalid. Ordered by index, the invalid id last.
-/// Laws: Id(i).index() == i; ids of different tags never convert or compare.
+/// The index of one element of kind `Tag`. Default-constructed = invalid. Ordered by index, the invalid id
+/// last. Laws: Id(i).index() == i; ids of different tags never convert or compare.
 template <class Tag>
 class Id {
  public:
@@ -35,5 +35,7 @@ using FaceId = Id<struct FaceTag>;
 
 template <class Tag>
 struct std::hash<thalweg::Id<Tag>> {
-  std::size_t operator()(thalweg::Id<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.index()); }
+  std::size_t operator()(thalweg::Id<Tag> id) const noexcept {
+    return std::hash<std::uint32_t>{}(id.index());
+  }
 };

@@ -1,4 +1,5 @@
-/// Points as the caller gives them. Any finite doubles are legal coordinates; nothing is ever rounded or moved.
+/// Points as the caller gives them. Any finite doubles are legal coordinates; nothing is ever rounded or
+/// moved.
 #pragma once
 
 namespace thalweg {

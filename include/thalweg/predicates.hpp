@@ -1,9 +1,9 @@
 /// Exact geometric predicates: the only places where coordinates decide anything.
 ///
-/// All are exact for every finite double, denormals and 1e308 included, on every IEEE 754 machine and under any
-/// compiler flags of the caller; NaN and infinities are the caller's bug.
-/// Source: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-/// Discrete & Computational Geometry 18, 1997. The range of exponents is extended, see src/kernel/.
+/// All are exact for every finite double, denormals and 1e308 included, on every IEEE 754 machine and under
+/// any compiler flags of the caller; NaN and infinities are the caller's bug. Source: J. R. Shewchuk,
+/// Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete &
+/// Computational Geometry 18, 1997. The range of exponents is extended, see src/kernel/.
 #pragma once
 
 #include "thalweg/point.hpp"
@@ -11,16 +11,16 @@
 namespace thalweg {
 
 /// Side of the directed line a -> b on which c lies.
-/// Returns +1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if collinear (coincident points included).
-/// Laws: orient2d(b,c,a) == orient2d(a,b,c); orient2d(b,a,c) == -orient2d(a,b,c).
-/// Complexity: O(1), no allocation.
+/// Returns +1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if collinear (coincident points
+/// included). Laws: orient2d(b,c,a) == orient2d(a,b,c); orient2d(b,a,c) == -orient2d(a,b,c). Complexity:
+/// O(1), no allocation.
 int orient2d(Point2 a, Point2 b, Point2 c) noexcept;
 
 /// Position of d relative to the circle through a, b, c.
-/// Returns, for a, b, c counter-clockwise, +1 if d is strictly inside, 0 if on the circle, -1 if outside; the opposite
-/// sign for a, b, c clockwise. Degenerate: for a, b, c collinear the sign of the determinant, 0 if two of the four coincide.
-/// Laws: invariant under rotation of (a,b,c); every swap of two of the four arguments negates it.
-/// Complexity: O(1), no allocation.
+/// Returns, for a, b, c counter-clockwise, +1 if d is strictly inside, 0 if on the circle, -1 if outside; the
+/// opposite sign for a, b, c clockwise. Degenerate: for a, b, c collinear the sign of the determinant, 0 if
+/// two of the four coincide. Laws: invariant under rotation of (a,b,c); every swap of two of the four
+/// arguments negates it. Complexity: O(1), no allocation.
 int incircle(Point2 a, Point2 b, Point2 c, Point2 d) noexcept;
 
 /// Which of b, c is nearer to a.

@@ -10,18 +10,18 @@
 namespace thalweg {
 
 enum class ErrorCode {
-  too_few_points,     ///< fewer than three distinct sites
-  all_collinear,      ///< every site on one line: there is no triangle
-  not_finite,         ///< a coordinate is NaN or infinite
-  duplicate_points,   ///< the same (x, y) twice where the policy forbids it
-  too_many_points,    ///< more than ids can number
-  invalid_argument,   ///< an option outside its range
-  invalid_mesh,       ///< triangles that do not form a triangulation
-  cancelled,          ///< the caller asked to stop
-  unreadable,         ///< a file that cannot be opened or read
-  malformed,          ///< a file whose content is not what its format says
-  exists,             ///< an output that is there already and may not be replaced
-  unwritable,         ///< an output that cannot be written
+  too_few_points,    ///< fewer than three distinct sites
+  all_collinear,     ///< every site on one line: there is no triangle
+  not_finite,        ///< a coordinate is NaN or infinite
+  duplicate_points,  ///< the same (x, y) twice where the policy forbids it
+  too_many_points,   ///< more than ids can number
+  invalid_argument,  ///< an option outside its range
+  invalid_mesh,      ///< triangles that do not form a triangulation
+  cancelled,         ///< the caller asked to stop
+  unreadable,        ///< a file that cannot be opened or read
+  malformed,         ///< a file whose content is not what its format says
+  exists,            ///< an output that is there already and may not be replaced
+  unwritable,        ///< an output that cannot be written
 };
 
 /// What went wrong, in words for a person, and which of the caller's rows (from 0) are to blame, if any.

@@ -30,14 +30,15 @@ class Triangulation {
  public:
   Triangulation() = default;
 
-  /// The triangulation with these counter-clockwise triangles over vertices 0 .. vertex_count - 1. Triangle i becomes
-  /// face i, its corners in the given rotation. Vertices in no triangle are legal ("isolated").
-  /// Returns nothing if an index is out of range, a triangle repeats a vertex, a directed edge occurs twice, or the
-  /// triangles around a vertex do not form one fan. Complexity: O(m) expected for m triangles.
-  static std::optional<Triangulation> from_triangles(std::span<const Triangle> triangles, std::uint32_t vertex_count);
+  /// The triangulation with these counter-clockwise triangles over vertices 0 .. vertex_count - 1. Triangle i
+  /// becomes face i, its corners in the given rotation. Vertices in no triangle are legal ("isolated").
+  /// Returns nothing if an index is out of range, a triangle repeats a vertex, a directed edge occurs twice,
+  /// or the triangles around a vertex do not form one fan. Complexity: O(m log m) for m triangles.
+  static std::optional<Triangulation> from_triangles(std::span<const Triangle> triangles,
+                                                     std::uint32_t vertex_count);
 
-  /// Takes arrays that are already linked: origin[h], twin[h] (kInvalid on the hull) for each of the 3 m half-edges.
-  /// Requires: the invariants that `find_fault` checks. Complexity: O(m).
+  /// Takes arrays that are already linked: origin[h], twin[h] (kInvalid on the hull) for each of the 3 m
+  /// half-edges. Requires: the invariants that `find_fault` checks. Complexity: O(m).
   static Triangulation from_arrays(std::vector<std::uint32_t> origin, std::vector<std::uint32_t> twin,
                                    std::uint32_t vertex_count);
 
@@ -69,13 +70,14 @@ class Triangulation {
     return {origin(halfedge(f, 0)), origin(halfedge(f, 1)), origin(halfedge(f, 2))};
   }
 
-  /// One half-edge that leaves v: for a vertex on the hull the one along the hull, so that turning counter-clockwise
-  /// from it visits every face at v. Invalid for an isolated vertex.
+  /// One half-edge that leaves v: for a vertex on the hull the one along the hull, so that turning
+  /// counter-clockwise from it visits every face at v. Invalid for an isolated vertex.
   HalfedgeId outgoing(VertexId v) const noexcept { return HalfedgeId(outgoing_[v.index()]); }
   bool isolated(VertexId v) const noexcept { return !outgoing(v).valid(); }
   bool on_hull(VertexId v) const noexcept { return !isolated(v) && on_hull(outgoing(v)); }
 
-  /// The half-edge out of the same vertex that follows h counter-clockwise; invalid past the last face of a hull vertex.
+  /// The half-edge out of the same vertex that follows h counter-clockwise; invalid past the last face of a
+  /// hull vertex.
   HalfedgeId turn_ccw(HalfedgeId h) const noexcept { return twin(prev(h)); }
 
   /// Calls visit(VertexId) for every neighbour of v, counter-clockwise. Complexity: O(degree).
@@ -91,8 +93,8 @@ class Triangulation {
     }
   }
 
-  /// The half-edge from u to v; invalid if they are not joined, or joined only by a hull edge that runs v to u.
-  /// Complexity: O(degree of u).
+  /// The half-edge from u to v; invalid if they are not joined, or joined only by a hull edge that runs v to
+  /// u. Complexity: O(degree of u).
   HalfedgeId find_halfedge(VertexId u, VertexId v) const noexcept;
   /// Whether an edge joins u and v. Complexity: O(degree of u).
   bool joined(VertexId u, VertexId v) const noexcept;
@@ -106,22 +108,23 @@ class Triangulation {
   ///          d                 d
   ///
   /// Requires: h not on the hull; the caller has checked that the quadrilateral is strictly convex.
-  /// Keeps all ids of vertices and faces; the six half-edges of the two faces are renumbered. Complexity: O(1).
+  /// Keeps all ids of vertices and faces; the six half-edges of the two faces are renumbered. Complexity:
+  /// O(1).
   HalfedgeId flip(HalfedgeId h) noexcept;
 
   /// Replaces faces by as many triangles that cover the same region; face olds[i] becomes triangle news[i].
   /// Requires: the triangles are counter-clockwise and bounded by the same edges as the faces.
-  /// Keeps all ids of vertices and of other faces; the half-edges of `olds` are renumbered. Undo: the same call with the
-  /// old corners. Complexity: O(m log m).
+  /// Keeps all ids of vertices and of other faces; the half-edges of `olds` are renumbered. Undo: the same
+  /// call with the old corners. Complexity: O(m log m).
   void replace(std::span<const FaceId> olds, std::span<const Triangle> news);
 
-  /// The first broken invariant in words, or nothing: arrays of equal length; origins in range; no triangle with a
-  /// repeated vertex; twin an involution with matching ends; no directed edge twice; `outgoing` right, and along the hull
-  /// for hull vertices; the faces at every vertex one fan. Complexity: O(m log m).
+  /// The first broken invariant in words, or nothing: arrays of equal length; origins in range; no triangle
+  /// with a repeated vertex; twin an involution with matching ends; no directed edge twice; `outgoing` right,
+  /// and along the hull for hull vertices; the faces at every vertex one fan. Complexity: O(m log m).
   std::optional<std::string> find_fault() const;
 
-  /// The same triangulation with vertex i called names[i], of vertex_count vertices; faces and half-edges keep their ids.
-  /// Requires: names distinct and < vertex_count. Complexity: O(m).
+  /// The same triangulation with vertex i called names[i], of vertex_count vertices; faces and half-edges
+  /// keep their ids. Requires: names distinct and < vertex_count. Complexity: O(m).
   Triangulation renamed(std::span<const std::uint32_t> names, std::uint32_t vertex_count) &&;
 
   /// Raw arrays, for packed output: origin of each half-edge (3 a face), twin of each (kInvalid on the hull).
