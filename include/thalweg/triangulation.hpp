@@ -102,9 +102,9 @@ class Triangulation {
   /// Replaces the diagonal ab of the quadrilateral a, d, b, c (c = apex(h), d = apex(twin(h))) by cd:
   ///
   ///          c                 c
-  ///        /   \             / | \
+  ///        /   ^             / | ^
   ///       a --h-> b   =>    a  |  b        returns the half-edge d -> c, which is h: face(h) becomes d, c, a
-  ///        \   /             \ h /          and the other face c, d, b
+  ///        ^   /             ^ h /          and the other face c, d, b
   ///          d                 d
   ///
   /// Requires: h not on the hull; the caller has checked that the quadrilateral is strictly convex.

@@ -1,0 +1,69 @@
+/// Counting the sites inside a circle, and with it the order of a triangle.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "thalweg/point.hpp"
+#include "thalweg/triangulation.hpp"
+
+namespace thalweg {
+
+/// The sites with their Delaunay neighbours, packed for graph searches. Immutable: safe for concurrent
+/// readers. Memory: about 28 bytes a site beside the sites, which are referred to, not copied.
+class DelaunayGraph {
+ public:
+  /// Requires: `delaunay` is a Delaunay triangulation of `sites` (any of them where sites are cocircular);
+  /// vertex v lies at sites[v]; both outlive the graph. Isolated vertices have no neighbours and are never
+  /// counted. Complexity: O(n).
+  DelaunayGraph(std::span<const Point2> sites, const Triangulation& delaunay);
+
+  std::span<const Point2> sites() const noexcept { return sites_; }
+  Point2 point(VertexId v) const noexcept { return sites_[v.index()]; }
+  std::span<const VertexId> neighbors(VertexId v) const noexcept {
+    return std::span(neighbors_).subspan(starts_[v.index()], starts_[v.index() + 1] - starts_[v.index()]);
+  }
+  const Triangulation& delaunay() const noexcept { return *delaunay_; }
+
+ private:
+  std::span<const Point2> sites_;
+  const Triangulation* delaunay_;
+  std::vector<std::uint32_t> starts_;
+  std::vector<VertexId> neighbors_;
+};
+
+/// Counts sites in circles by a search of the Delaunay graph. Holds scratch memory of 4 bytes a site: one per
+/// thread.
+class CircleCounter {
+ public:
+  /// Requires: `graph` outlives the counter.
+  explicit CircleCounter(const DelaunayGraph& graph);
+
+  /// The number of sites strictly inside the circle through u, v, w, or limit + 1 if there are more than
+  /// `limit`. Degenerate: sites on the circle do not count. Requires: u, v, w counter-clockwise. Exact.
+  /// Complexity: about 6 (limit + 1) incircle tests, whatever the number of sites. Source: the sites in a
+  /// disk induce a connected part of the Delaunay graph; proof in src/order/circle_count.cpp.
+  unsigned count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit);
+
+  /// Whether the triangle u, v, w has order at most k. Requires: counter-clockwise.
+  bool order_at_most(unsigned k, const Triangle& t) { return count_in_circle(t[0], t[1], t[2], k) <= k; }
+
+  /// How often `count_in_circle` was called.
+  std::uint64_t calls() const noexcept { return calls_; }
+
+ private:
+  const DelaunayGraph* graph_;
+  std::vector<std::uint32_t> stamp_;
+  std::vector<VertexId> queue_;
+  std::uint32_t epoch_ = 0;
+  std::uint64_t calls_ = 0;
+};
+
+/// The order of every face: the number of sites strictly inside its circumcircle, or limit + 1 if more than
+/// `limit`. Requires: a triangulation of the sites of `graph` with the same vertex ids. Complexity: O(m *
+/// order).
+std::vector<std::uint32_t> face_orders(const DelaunayGraph& graph, const Triangulation& triangulation,
+                                       unsigned limit, unsigned threads = 1);
+
+}  // namespace thalweg

@@ -1,0 +1,142 @@
+/// The main job: points in, a terrain of order k with as few pits as can be found out, with a proof of how
+/// far that is.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "thalweg/pits.hpp"
+#include "thalweg/point.hpp"
+#include "thalweg/result.hpp"
+#include "thalweg/triangulation.hpp"
+
+namespace thalweg {
+
+/// How pits are removed.
+enum class Method {
+  delaunay,  ///< not at all: the canonical Delaunay triangulation
+  flip,      ///< the paper's flip heuristic (section 3)
+  hull,      ///< the paper's hull heuristic (section 4)
+  best,      ///< the better of several combinations; never worse than flip or hull, nor at a larger order
+};
+
+/// Which elevation a site takes that occurs in several rows.
+enum class DuplicatePolicy { lowest, highest, mean, first, last, error };
+
+struct MinimizeOptions {
+  unsigned order = 8;  ///< k: every circumcircle holds at most so many sites
+  Method method = Method::best;
+  DuplicatePolicy duplicates = DuplicatePolicy::lowest;
+  unsigned threads = 0;     ///< 0 = all of the machine; the result does not depend on it
+  bool keep_trail = false;  ///< fill Minimized::trail (24 bytes a step)
+  /// Called from the calling thread, now and then, with what is being done and how much of it is done in [0,
+  /// 1].
+  std::function<void(const char* stage, double fraction)> progress = {};
+  const std::atomic<bool>* cancel = nullptr;  ///< polled; when true the call returns ErrorCode::cancelled
+};
+
+/// Why a pit is still there.
+enum class PitReason {
+  unremovable,  ///< no vertex of it has a pair of useful order <= k to lower (or equal, other) ground
+  conflict,     ///< it has such pairs, but none could be used: each crosses what other pits need, or gains
+                ///< nothing
+  kept,         ///< it has such pairs, and the method did not try them
+};
+
+struct RemainingPit {
+  VertexId vertex;             ///< the first of the pit in elevation order (z, x, y)
+  std::uint32_t vertices = 1;  ///< how many vertices the pit has
+  bool boundary = false;
+  PitReason reason = PitReason::unremovable;
+  /// Least useful order of a pair from the pit to strictly lower ground; nothing if there is none at all (the
+  /// lowest pit), or none up to Minimized::order_searched.
+  std::optional<unsigned> order_needed = {};
+};
+
+/// A pit of the Delaunay triangulation that is no more.
+struct RemovedPit {
+  VertexId vertex;  ///< the first of it in elevation order
+  std::uint32_t vertices = 1;
+  bool boundary = false;
+};
+
+/// One change on the way from the Delaunay triangulation to the result.
+struct TrailStep {
+  enum class Kind : std::uint8_t { flip, insertion };
+  Kind kind = Kind::flip;
+  unsigned order =
+      0;  ///< flip: the larger order of its two new triangles; insertion: useful order of the edge
+  VertexId u,
+      v;  ///< the edge that came; insertion: u is on the pit, v where it drains to; flip: u is the lower end
+  VertexId old_u, old_v;  ///< flip: the edge that went
+  VertexId pit;  ///< first vertex (elevation order) of the pit that this step removed, invalid if none
+};
+
+struct Minimized {
+  /// The terrain. Vertex ids are the indices of the caller's points; merged rows are isolated vertices.
+  Triangulation triangulation;
+  /// Order of each face, parallel to the faces.
+  std::vector<std::uint32_t> face_orders;
+
+  PitCount delaunay_pits;
+  PitCount pits;
+  std::uint32_t lower_bound = 0;        ///< no triangulation of order <= k has fewer pits
+  bool certified = false;               ///< pits.total is proved to be the minimum
+  std::vector<RemainingPit> remaining;  ///< by vertex
+  std::vector<RemovedPit> removed;      ///< by vertex
+  unsigned order_searched = 0;          ///< `order_needed` was looked for up to this order
+  std::vector<TrailStep> trail;         ///< if asked for
+
+  std::uint32_t sites = 0;  ///< distinct (x, y)
+  /// Rows merged into another: (row, row that stands for it), by row. Empty without duplicates.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> merged;
+  /// DuplicatePolicy::mean only: rows that stand for several, with the elevation used instead of their own.
+  std::vector<std::pair<std::uint32_t, double>> mean_elevations;
+
+  std::uint32_t edges_changed = 0;       ///< edges that the canonical Delaunay triangulation does not have
+  std::uint32_t non_delaunay_edges = 0;  ///< inner edges that are not locally Delaunay
+  double min_angle_before_deg = 0;       ///< smallest angle, rounded, for reading only
+  double min_angle_after_deg = 0;
+
+  std::uint64_t flips = 0;
+  std::uint64_t insertions = 0;
+  std::uint64_t circle_counts = 0;
+  double seconds_delaunay = 0;
+  double seconds_minimize = 0;
+};
+
+/// A terrain over `points` of order <= options.order with as few pits as the method finds. Elevations and
+/// places are never changed (but see DuplicatePolicy::mean). Deterministic: the same points give the same set
+/// of triangles, whatever the order of rows, the machine or the number of threads. Laws: pits.total <=
+/// delaunay_pits.total; lower_bound <= pits.total; certified == (pits.total == lower_bound). Errors:
+/// not_finite, too_few_points, all_collinear, duplicate_points, too_many_points, cancelled; rows name the
+/// culprits. Complexity: O(n log n) for the Delaunay triangulation, then in the number of pits and k, not in
+/// n.
+Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOptions& options = {});
+
+/// Pits at one order, by every method: a row of the paper's Table 1.
+struct SweepRow {
+  unsigned order = 0;
+  std::uint32_t flip = 0;
+  std::uint32_t hull = 0;
+  std::uint32_t best = 0;
+  std::uint32_t lower_bound = 0;
+  bool certified = false;
+};
+
+struct Sweep {
+  std::uint32_t sites = 0;
+  std::vector<SweepRow> rows;  ///< by order
+};
+
+/// The counts of minimize_pits for every order from `first` to `last` and each method, sharing all that the
+/// runs have in common. Uses duplicates, threads, progress and cancel of the options. Errors: as
+/// minimize_pits; invalid_argument if first > last.
+Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
+                         const MinimizeOptions& options = {});
+
+}  // namespace thalweg

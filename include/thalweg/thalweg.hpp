@@ -1,0 +1,15 @@
+/// Everything in the library, floor by floor.
+#pragma once
+
+#include "thalweg/circle_count.hpp"
+#include "thalweg/delaunay.hpp"
+#include "thalweg/id.hpp"
+#include "thalweg/minimize.hpp"
+#include "thalweg/pits.hpp"
+#include "thalweg/point.hpp"
+#include "thalweg/predicates.hpp"
+#include "thalweg/result.hpp"
+#include "thalweg/triangulation.hpp"
+#include "thalweg/useful_order.hpp"
+#include "thalweg/validate.hpp"
+#include "thalweg/version.hpp"
