@@ -1,0 +1,53 @@
+/// Work shared among threads whose result cannot depend on how it was shared: every item writes to a place of its own.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace thalweg::detail {
+
+/// The number of threads that `asked` stands for: itself, or for 0 the machine's. Returns at least 1.
+inline unsigned resolve_threads(unsigned asked) noexcept {
+  return asked != 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Calls work(begin, end) for consecutive chunks of [0, count), each chunk in one thread; `work` is made anew by
+/// make_worker() in every thread, so that it can own scratch memory. The calling thread takes part.
+/// Exceptions (std::bad_alloc) reach the caller after all threads have stopped.
+template <class MakeWorker>
+void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, MakeWorker&& make_worker) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_lock;
+  const auto run = [&] {
+    try {
+      auto work = make_worker();
+      for (std::size_t begin; (begin = next.fetch_add(chunk)) < count;) {
+        work(begin, std::min(begin + chunk, count));
+      }
+    } catch (...) {
+      next.store(count);
+      const std::lock_guard guard(failure_lock);
+      failure = std::current_exception();
+    }
+  };
+  const std::size_t chunks = (count + chunk - 1) / chunk;
+  const auto helpers = static_cast<unsigned>(std::min<std::size_t>(resolve_threads(threads), chunks));
+  std::vector<std::thread> pool;
+  try {
+    for (unsigned i = 1; i < helpers; ++i) pool.emplace_back(run);
+  } catch (const std::system_error&) {
+    // No more threads to be had: those that run, and this one, do the work.
+  }
+  run();
+  for (std::thread& t : pool) t.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace thalweg::detail
