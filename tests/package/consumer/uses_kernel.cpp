@@ -1,0 +1,8 @@
+/// An embedder of the lowest floor: a Delaunay triangulation and nothing else.
+#include <thalweg/delaunay.hpp>
+
+int main() {
+  const thalweg::Point2 sites[] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {2, 1}};
+  const auto triangulation = thalweg::delaunay(sites);
+  return triangulation && triangulation->face_count() == 4 && !triangulation->find_fault() ? 0 : 1;
+}
