@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "kernel/numbers.hpp"
 #include "kernel/wide_multiply.hpp"
 
 namespace thalweg::detail {
@@ -31,27 +32,6 @@ struct BigInteger {
     if (size == 0) negative = false;
   }
 };
-
-/// A double taken apart: value = (negative ? -1 : 1) * mantissa * 2^exponent.
-struct Parts {
-  std::uint64_t mantissa;
-  int exponent;
-  bool negative;
-};
-
-inline Parts take_apart(double value) noexcept {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const auto biased = static_cast<int>((bits >> 52) & 0x7ff);
-  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-  if (biased == 0) return {fraction, -1074, (bits >> 63) != 0};
-  return {fraction | (std::uint64_t{1} << 52), biased - 1075, (bits >> 63) != 0};
-}
-
-/// The exponent of the lowest bit set in `value`, or `otherwise` for zero.
-inline int lowest_bit(double value, int otherwise) noexcept {
-  const Parts parts = take_apart(value);
-  return parts.mantissa == 0 ? otherwise : parts.exponent + std::countr_zero(parts.mantissa);
-}
 
 /// The largest double has 1024 bits before the point and the smallest 1074 after it: 2098 bits, 33 limbs.
 inline constexpr int kCoordinateLimbs = 33;

@@ -6,6 +6,8 @@
 namespace thalweg::detail {
 
 #if defined(__SIZEOF_INT128__)
+#define THALWEG_HAS_INT128 1
+__extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 #endif
 
@@ -30,7 +32,7 @@ inline std::uint64_t multiply_add_in_halves(std::uint64_t a, std::uint64_t b, st
 /// The same by the machine's own wide product where there is one.
 inline std::uint64_t multiply_add(std::uint64_t a, std::uint64_t b, std::uint64_t addend,
                                   std::uint64_t carry_in, std::uint64_t& high) noexcept {
-#if defined(__SIZEOF_INT128__)
+#if defined(THALWEG_HAS_INT128)
   const Uint128 product = static_cast<Uint128>(a) * b + addend + carry_in;
   high = static_cast<std::uint64_t>(product >> 64);
   return static_cast<std::uint64_t>(product);
