@@ -82,7 +82,8 @@ MaybeSign incircle_grid(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   constexpr int kPositive = 1024;  // keeps the shift, which rounds down, off negative numbers
   const int grid = ((2 * e + 2 - 51 + 3 + 4 * kPositive) >> 2) - kPositive;
   const double magic = power_of_two(grid + 52);
-  const auto multiple = [magic](double value) {
+  const auto multiple =
+      [magic](double value) -> int {  // not bool: the tests below are joined without branches
     const double magnitude = std::fabs(value);
     return (magnitude + magic) - magic == magnitude;
   };
