@@ -1,0 +1,352 @@
+/// Divide and conquer: the cuts, the base cases, and the merge along the seam.
+#include "kernel/divide_and_conquer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <future>
+#include <limits>
+#include <system_error>
+
+#include "kernel/assert.hpp"
+#include "kernel/predicates_inline.hpp"
+#include "kernel/spatial_order.hpp"
+
+namespace thalweg::detail {
+namespace {
+
+using Index = std::uint32_t;
+
+/// The direction of a cut. The low side of a cut of x is the left one; of y, the bottom one, which is the
+/// left one after a turn of the plane by a quarter clockwise: (x, y) becomes (y, -x). Turning keeps
+/// orientation, so one merge serves both.
+enum class Axis { x, y };
+
+bool less_along(Axis axis, Point2 a, Point2 b) noexcept {
+  if (axis == Axis::x) return lexicographically_less(a, b);
+  return a.y < b.y || (a.y == b.y && a.x > b.x);
+}
+
+/// A triangulated part of the sites. Two or more sites: for the least and the greatest in the order
+/// `less_along(axis)`, the ghost half-edge of the hull edge that leaves it counter-clockwise (its destination
+/// is the extreme). One site: its number.
+struct Part {
+  Index low = 0;
+  Index high = 0;
+  Index single = kGhost;
+
+  bool is_single() const noexcept { return single != kGhost; }
+};
+
+/// Nodes of at most so many sites are sorted along x and merged in that order.
+constexpr Index kLeafSites = 6;
+
+/// Fewer sites than these are not worth a thread.
+constexpr Index kThreadSites = 1u << 14;
+
+class Builder {
+ public:
+  Builder(std::span<const Point2> sites, Index* origin, Index* twin) noexcept
+      : sites_(sites.data()), origin_(origin), twin_(twin) {}
+
+  /// Triangulates sites [lo, hi), whose keys begin at keys[0].
+  Part build(Index lo, Index hi, const Index* keys, Axis wanted, int level, unsigned threads) const;
+
+ private:
+  Part build_crowded(Index lo, Index hi, int level) const;
+  Part build_lexicographic(Index lo, Index hi) const;
+  Part build_leaf(Index lo, Index hi) const;
+  Part build_sorted(const Index* ids, Index count, Index slot) const;
+  Part turned(Part part, Axis from, Axis to) const;
+
+  Part pair(Index p, Index q, Index slot) const;
+  Part merge(const Part& left, const Part& right, Index slot) const;
+
+  Point2 at(Index v) const noexcept { return sites_[v]; }
+
+  Index origin(Index h) const noexcept { return origin_[h]; }
+  Index dest(Index h) const noexcept { return origin_[next_of(h)]; }
+  Index apex(Index h) const noexcept { return origin_[prev_of(h)]; }
+  void link(Index h, Index g) const noexcept {
+    twin_[h] = g;
+    twin_[g] = h;
+  }
+  void set_corners(Index slot, Index a, Index b, Index c) const noexcept {
+    origin_[4 * slot] = a;
+    origin_[4 * slot + 1] = b;
+    origin_[4 * slot + 2] = c;
+  }
+
+  /// For the ghost half-edge of a hull edge: that of the edge after it, or before it, counter-clockwise along
+  /// the hull.
+  Index hull_next(Index h) const noexcept { return prev_of(twin_[prev_of(h)]); }
+  Index hull_prev(Index h) const noexcept { return next_of(twin_[next_of(h)]); }
+
+  /// From an extreme, along the hull counter-clockwise as long as the order rises (or falls).
+  Index climb(Index h, Axis axis) const noexcept;
+  Index descend(Index h, Axis axis) const noexcept;
+
+  struct Seam;
+
+  const Point2* sites_;
+  Index* origin_;
+  Index* twin_;
+};
+
+Index Builder::climb(Index h, Axis axis) const noexcept {
+  while (less_along(axis, at(dest(h)), at(origin(h)))) h = hull_next(h);
+  return h;
+}
+
+Index Builder::descend(Index h, Axis axis) const noexcept {
+  while (less_along(axis, at(origin(h)), at(dest(h)))) h = hull_next(h);
+  return h;
+}
+
+/// The extremes along the other axis. Counter-clockwise along the hull come bottom, right, top, left, and
+/// between two of them both coordinates are monotone.
+Part Builder::turned(Part part, Axis from, Axis to) const {
+  if (from == to || part.is_single()) return part;
+  if (to == Axis::x) return {.low = descend(part.high, to), .high = climb(part.low, to)};
+  return {.low = descend(part.low, to), .high = climb(part.high, to)};
+}
+
+Part Builder::build(Index lo, Index hi, const Index* keys, Axis wanted, int level, unsigned threads) const {
+  const Index count = hi - lo;
+  if (count <= kLeafSites) return turned(build_leaf(lo, hi), Axis::x, wanted);
+  const Index differing = keys[0] ^ keys[count - 1];
+  if (differing == 0) return turned(build_crowded(lo, hi, level), Axis::x, wanted);
+
+  const Index bit = std::bit_floor(differing);
+  const Axis axis = (bit & 0xaaaaaaaau) != 0 ? Axis::x : Axis::y;
+  const Index* cut = std::partition_point(keys, keys + count, [bit](Index key) { return (key & bit) == 0; });
+  const Index mid = lo + static_cast<Index>(cut - keys);
+
+  Part left, right;
+  std::future<Part> other;
+  if (threads > 1 && count >= kThreadSites) {
+    try {
+      other =
+          std::async(std::launch::async, [=, this] { return build(mid, hi, cut, axis, level, threads / 2); });
+    } catch (const std::system_error&) {
+      // No thread to be had: the same work on this one.
+    }
+  }
+  left = build(lo, mid, keys, axis, level, other.valid() ? threads - threads / 2 : threads);
+  right = other.valid() ? other.get() : build(mid, hi, cut, axis, level, 1);
+  return turned(merge(left, right, 2 * mid - 2), axis, wanted);
+}
+
+/// Sites in one cell.
+Part Builder::build_crowded(Index lo, Index hi, int level) const {
+  if (hi - lo <= kCellSites || level + 1 == kKeyLevels) return build_lexicographic(lo, hi);
+  std::vector<Index> keys(hi - lo);
+  morton_keys(std::span(sites_ + lo, hi - lo), keys);
+  return build(lo, hi, keys.data(), Axis::x, level + 1, 1);
+}
+
+Part Builder::build_lexicographic(Index lo, Index hi) const {
+  if (hi - lo <= kLeafSites) return build_leaf(lo, hi);
+  const Index mid = lo + (hi - lo) / 2;
+  const Part left = build_lexicographic(lo, mid);
+  const Part right = build_lexicographic(mid, hi);
+  return merge(left, right, 2 * mid - 2);
+}
+
+Part Builder::build_leaf(Index lo, Index hi) const {
+  std::array<Index, kLeafSites> ids;
+  for (Index i = lo; i < hi; ++i) {
+    Index k = i - lo;
+    for (; k > 0 && lexicographically_less(at(i), at(ids[k - 1])); --k) ids[k] = ids[k - 1];
+    ids[k] = i;
+  }
+  return build_sorted(ids.data(), hi - lo, 2 * lo);
+}
+
+Part Builder::build_sorted(const Index* ids, Index count, Index slot) const {
+  if (count == 1) return {.single = ids[0]};
+  if (count == 2) return pair(ids[0], ids[1], slot);
+  const Index half = count / 2;
+  const Part left = build_sorted(ids, half, slot);
+  const Part right = build_sorted(ids + half, count - half, slot + 2 * half);
+  return merge(left, right, slot + 2 * half - 2);
+}
+
+/// An edge: two ghosts back to back.
+Part Builder::pair(Index p, Index q, Index slot) const {
+  const Index below = 4 * slot, above = below + 4;
+  set_corners(slot, q, p, kGhost);
+  set_corners(slot + 1, p, q, kGhost);
+  link(below, above);
+  link(below + 1, above + 2);
+  link(below + 2, above + 1);
+  return {.low = below, .high = above};
+}
+
+/// The growing front between two parts. Its last edge, the base, runs from a on the left to b on the right,
+/// and everything below it is final.
+///
+///          ghost                       a_next = origin(left), the next site up the hull of the left part
+///     a_next    b_next                 left   = half-edge a_next -> a of a ghost
+///        \ left  right /               right  = half-edge b -> b_next of a ghost
+///         a -- base - b                below  = half-edge b -> a of the triangle below the base
+///
+/// The edges from a and from b to the ghost vertex have no twin in the arrays while the front is here.
+struct Builder::Seam {
+  const Builder& mesh;
+  Index a, b;
+  Index left = kGhost, right = kGhost;
+  Index below = kGhost;
+
+  Point2 at(Index v) const noexcept { return mesh.at(v); }
+  Index a_next() const noexcept { return mesh.origin(left); }
+  Index b_next() const noexcept { return mesh.dest(right); }
+
+  bool above(Index v) const noexcept { return orient2d_sign(at(a), at(b), at(v)) > 0; }
+
+  /// Whether v, on the side of the triangle a, b, c, is inside its circle. No ghost is.
+  bool inside(Index c, Index v) const noexcept {
+    return v != kGhost && incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
+  }
+
+  void drop_left() noexcept;
+  void drop_right() noexcept;
+  void take_left() noexcept;
+  void take_right() noexcept;
+  void rise() noexcept;
+};
+
+/// Removes the edge from a to a_next. The triangle behind it and the ghost on it become the ghosts of the two
+/// edges that come to light:
+///
+///      a_next                 a_next
+///      /   | \                /    \                  .
+///    a''   |  ghost   =>    a''     ghost             .
+///      \   | /                \    /                  .
+///        a                      a
+void Builder::Seam::drop_left() noexcept {
+  const Index to_next = mesh.twin_[left];  // a -> a_next -> a'' -> a
+  const Index to_second = next_of(to_next), back = prev_of(to_next);
+  const Index outer = mesh.twin_[to_second];
+  mesh.origin_[next_of(left)] = mesh.origin(back);
+  mesh.origin_[to_second] = kGhost;
+  mesh.link(left, outer);
+  mesh.link(next_of(left), to_second);
+  left = back;
+}
+
+/// The mirror image of drop_left.
+void Builder::Seam::drop_right() noexcept {
+  const Index from_next = mesh.twin_[right];  // b_next -> b -> b'' -> b_next
+  const Index to_second = next_of(from_next), back = prev_of(from_next);
+  const Index outer = mesh.twin_[back];
+  mesh.origin_[right] = mesh.origin(back);
+  mesh.origin_[from_next] = kGhost;
+  mesh.link(prev_of(right), back);
+  mesh.link(right, outer);
+  right = to_second;
+}
+
+/// The ghost on a, a_next becomes the triangle a, b, a_next, and b, a_next the base.
+void Builder::Seam::take_left() noexcept {
+  const Index up = prev_of(left);
+  const Index beyond = mesh.twin_[up];
+  mesh.origin_[up] = b;
+  mesh.link(next_of(left), below);
+  a = mesh.origin(left);
+  below = up;
+  left = prev_of(beyond);
+}
+
+/// The ghost on b, b_next becomes the triangle a, b, b_next, and a, b_next the base.
+void Builder::Seam::take_right() noexcept {
+  const Index up = next_of(right);
+  const Index down = prev_of(right);
+  const Index beyond = mesh.twin_[up];
+  mesh.origin_[down] = a;
+  mesh.link(down, below);
+  b = mesh.origin(up);
+  below = up;
+  right = next_of(beyond);
+}
+
+/// Raises the base to the upper common tangent.
+void Builder::Seam::rise() noexcept {
+  for (;;) {
+    const bool left_open = left != kGhost && above(a_next());
+    if (left_open) {
+      while (inside(a_next(), mesh.apex(mesh.twin_[left]))) drop_left();
+    }
+    const bool right_open = right != kGhost && above(b_next());
+    if (right_open) {
+      while (inside(b_next(), mesh.apex(mesh.twin_[right]))) drop_right();
+    }
+    if (!left_open && !right_open) return;
+    if (!left_open || (right_open && inside(a_next(), b_next()))) {
+      take_right();
+    } else {
+      take_left();
+    }
+  }
+}
+
+/// Joins two parts of which the left precedes the right along the axis of both. Writes slots `slot` and `slot
+/// + 1`.
+Part Builder::merge(const Part& left, const Part& right, Index slot) const {
+  const bool left_single = left.is_single(), right_single = right.is_single();
+  // The lower common tangent, from the two extremes that face each other: `in` enters a, `out` leaves b.
+  Index in = left_single ? kGhost : hull_prev(left.high);
+  Index out = right_single ? kGhost : right.low;
+  Index a = left_single ? left.single : origin(in);
+  Index b = right_single ? right.single : dest(out);
+  for (bool moved = true; moved;) {
+    moved = false;
+    while (!left_single && orient2d_sign(at(a), at(b), at(dest(in))) < 0) {
+      a = dest(in);
+      in = hull_prev(in);
+      moved = true;
+    }
+    while (!right_single && orient2d_sign(at(a), at(b), at(origin(out))) < 0) {
+      b = origin(out);
+      out = hull_next(out);
+      moved = true;
+    }
+  }
+  const Index bottom = 4 * slot, top = bottom + 4;
+  const bool low_is_a = left_single || dest(left.low) == a;
+  const Index high_site = right_single ? b : dest(right.high);
+
+  Seam seam{*this, a, b};
+  seam.left = left_single ? kGhost : hull_next(in);
+  seam.right = right_single ? kGhost : hull_prev(out);
+  seam.below = bottom;
+  set_corners(slot, b, a, kGhost);  // b -> a -> ghost
+  const Index a_out = left_single ? top + 2 : prev_of(in);
+  const Index b_in = right_single ? top + 1 : next_of(out);
+  link(bottom + 1, a_out);
+  link(bottom + 2, b_in);
+
+  seam.rise();
+
+  set_corners(slot + 1, seam.a, seam.b, kGhost);  // a -> b -> ghost
+  link(top, seam.below);
+  if (!right_single) link(top + 1, prev_of(seam.right));
+  if (!left_single) link(top + 2, next_of(seam.left));
+  return {.low = low_is_a ? bottom : left.low, .high = high_site == seam.b ? top : right.high};
+}
+
+}  // namespace
+
+GhostedTriangulation divide_and_conquer(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
+                                        unsigned threads) {
+  THALWEG_ASSERT(sites.size() >= 2 && sites.size() <= kMaxSites && keys.size() == sites.size());
+  const auto count = static_cast<Index>(sites.size());
+  GhostedTriangulation mesh;
+  mesh.origin.resize(std::size_t{8} * (count - 1));
+  mesh.twin.resize(std::size_t{8} * (count - 1));
+  const Builder builder(sites, mesh.origin.data(), mesh.twin.data());
+  mesh.hull = builder.build(0, count, keys.data(), Axis::x, 0, threads).low;
+  return mesh;
+}
+
+}  // namespace thalweg::detail
