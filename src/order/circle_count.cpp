@@ -1,0 +1,78 @@
+/// Counting sites in a circle by a search of the Delaunay graph.
+///
+/// Why the search is complete. Lift every site to the paraboloid; the sites strictly inside a circle are
+/// those below a plane, and the triangulation is the lower hull of the lifted sites, those on one empty
+/// circle lifted a little further, by infinitesimal amounts, to choose its diagonals. On a lower hull every
+/// vertex that does not minimise a linear function has a neighbour where that function is smaller. So from
+/// every site below the plane a path of edges descends, relative to the plane, to the lowest one; an
+/// infinitesimal lift turns no strict "below" around, so the path stays below: the sites inside induce a
+/// connected graph. It remains to enter it from a corner u of the triangle. Grow a circle inside the given
+/// one, touching it at u, from nothing until sites lie on it; they are strictly inside the given one. It is
+/// empty, so its sites are the corners of a convex polygon whose sides are in every Delaunay triangulation,
+/// and u is a corner.
+#include "thalweg/circle_count.hpp"
+
+#include <algorithm>
+
+#include "kernel/assert.hpp"
+#include "kernel/parallel.hpp"
+#include "order/circle_plane.hpp"
+
+namespace thalweg {
+
+DelaunayGraph::DelaunayGraph(std::span<const Point2> sites, const Triangulation& delaunay)
+    : sites_(sites), delaunay_(&delaunay) {
+  THALWEG_ASSERT(sites.size() == delaunay.vertex_count());
+  const std::uint32_t count = delaunay.vertex_count();
+  starts_.resize(count + std::size_t{1}, 0);
+  // Every edge once from each of its half-edges, and a hull edge once more from its only one.
+  neighbors_.reserve(delaunay.halfedge_count() + std::size_t{count} / 16);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    delaunay.for_each_neighbor(VertexId(i), [&](VertexId v) { neighbors_.push_back(v); });
+    starts_[i + 1] = static_cast<std::uint32_t>(neighbors_.size());
+  }
+}
+
+CircleCounter::CircleCounter(const DelaunayGraph& graph) : graph_(&graph), stamp_(graph.sites().size(), 0) {}
+
+unsigned CircleCounter::count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit) {
+  ++calls_;
+  if (++epoch_ == 0) {
+    std::fill(stamp_.begin(), stamp_.end(), 0);
+    epoch_ = 1;
+  }
+  const detail::CirclePlane circle(graph_->point(u), graph_->point(v), graph_->point(w));
+  THALWEG_ASSERT(detail::orient2d_sign(graph_->point(u), graph_->point(v), graph_->point(w)) > 0);
+  stamp_[u.index()] = stamp_[v.index()] = stamp_[w.index()] = epoch_;
+
+  unsigned inside = 0;
+  queue_.clear();
+  queue_.push_back(u);
+  for (std::size_t head = 0; head < queue_.size(); ++head) {
+    for (const VertexId site : graph_->neighbors(queue_[head])) {
+      if (stamp_[site.index()] == epoch_) continue;
+      stamp_[site.index()] = epoch_;
+      if (!circle.holds(graph_->point(site))) continue;
+      if (++inside > limit) return inside;
+      queue_.push_back(site);
+    }
+  }
+  return inside;
+}
+
+std::vector<std::uint32_t> face_orders(const DelaunayGraph& graph, const Triangulation& triangulation,
+                                       unsigned limit, unsigned threads) {
+  std::vector<std::uint32_t> orders(triangulation.face_count());
+  constexpr std::size_t kChunk = 1 << 14;
+  detail::parallel_chunks(orders.size(), kChunk, threads, [&] {
+    return [&, counter = CircleCounter(graph)](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Triangle t = triangulation.corners(FaceId(static_cast<std::uint32_t>(i)));
+        orders[i] = counter.count_in_circle(t[0], t[1], t[2], limit);
+      }
+    };
+  });
+  return orders;
+}
+
+}  // namespace thalweg

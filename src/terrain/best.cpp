@@ -1,0 +1,51 @@
+/// Choosing among combinations.
+#include "terrain/best.hpp"
+
+#include <utility>
+
+#include "terrain/changes.hpp"
+#include "terrain/flip.hpp"
+#include "terrain/hull.hpp"
+
+namespace thalweg::detail {
+namespace {
+
+std::uint32_t edges_changed(const Surface& surface, const Outcome& outcome) {
+  return edge_changes(surface, outcome.triangulation, changed_faces(surface, outcome.triangulation)).changed;
+}
+
+/// Keeps in `best` the better of the two: fewer pits, then fewer changed edges, then `best`.
+void keep_better(const Surface& surface, Outcome& best, Outcome&& other) {
+  const std::uint64_t counts = best.circle_counts + other.circle_counts;
+  const bool better = other.pits != best.pits ? other.pits < best.pits
+                                              : edges_changed(surface, other) < edges_changed(surface, best);
+  if (better) best = std::move(other);
+  best.circle_counts = counts;
+}
+
+Outcome best_at(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
+  Outcome best = insert_hulls(surface, exits, k, watch);
+  insert_overlapping(surface, exits, k, watch, best);
+  if (watch.stopped()) return best;
+  Outcome flips = flip_pits(surface, k, watch);
+  insert_overlapping(surface, exits, k, watch, flips);
+  keep_better(surface, best, std::move(flips));
+  return best;
+}
+
+}  // namespace
+
+Outcome best_pits(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
+  Outcome best = best_at(surface, exits, k, watch);
+  // A smaller order can only win while its bound is below what we have, and the bound grows as the order
+  // falls.
+  for (unsigned lower = k; lower-- > 0 && !watch.stopped();) {
+    const auto within = exits_up_to(exits, lower);
+    if (best.pits <= reach_bound(surface, within)) break;
+    Outcome other = best_at(surface, within, lower, watch);
+    if (other.pits < best.pits) keep_better(surface, best, std::move(other));
+  }
+  return best;
+}
+
+}  // namespace thalweg::detail

@@ -1,0 +1,67 @@
+/// Measuring changes in time proportional to them.
+#include "terrain/changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "kernel/predicates_inline.hpp"
+
+namespace thalweg::detail {
+
+std::vector<FaceId> changed_faces(const Surface& surface, const Triangulation& triangulation) {
+  std::vector<FaceId> changed;
+  for (std::uint32_t i = 0; i < triangulation.face_count(); ++i) {
+    if (triangulation.corners(FaceId(i)) != surface.delaunay().corners(FaceId(i))) changed.emplace_back(i);
+  }
+  return changed;
+}
+
+EdgeChanges edge_changes(const Surface& surface, const Triangulation& t, std::span<const FaceId> changed) {
+  const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+  EdgeChanges result;
+  for (const FaceId f : changed) {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const HalfedgeId h = Triangulation::halfedge(f, corner), twin = t.twin(h);
+      if (!twin.valid()) continue;
+      const bool both = std::binary_search(changed.begin(), changed.end(), Triangulation::face(twin));
+      if (both && twin < h) continue;  // once an edge
+      if (both && !surface.delaunay().joined(t.origin(h), t.dest(h))) ++result.changed;
+      if (incircle_sign(at(t.origin(h)), at(t.dest(h)), at(t.apex(h)), at(t.apex(twin))) > 0)
+        ++result.non_delaunay;
+    }
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulation& triangulation,
+                                        std::span<const FaceId> changed, unsigned limit,
+                                        std::uint64_t& counts) {
+  std::vector<std::uint32_t> orders(triangulation.face_count(), 0);
+  CircleCounter counter(surface.graph());
+  for (const FaceId f : changed) {
+    const Triangle t = triangulation.corners(f);
+    orders[f.index()] = counter.count_in_circle(t[0], t[1], t[2], limit);
+  }
+  counts += counter.calls();
+  return orders;
+}
+
+double min_angle_deg(const Surface& surface, const Triangulation& triangulation) {
+  // The cotangent falls as the angle grows, so the largest one belongs to the smallest angle.
+  double largest_cotangent = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < triangulation.face_count(); ++i) {
+    const Triangle t = triangulation.corners(FaceId(i));
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const Point2 a = surface.sites()[t[corner].index()];
+      const Point2 b = surface.sites()[t[(corner + 1) % 3].index()];
+      const Point2 c = surface.sites()[t[(corner + 2) % 3].index()];
+      const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+      largest_cotangent = std::max(largest_cotangent, (bx * cx + by * cy) / (bx * cy - by * cx));
+    }
+  }
+  return std::atan2(1.0, largest_cotangent) * (180 / std::numbers::pi);
+}
+
+}  // namespace thalweg::detail

@@ -1,0 +1,201 @@
+/// Flips by order buckets.
+///
+/// A flip never makes a pit. Let c be the lowest of the corners a, b, c, d and cd replace ab. Only a and b
+/// lose a neighbour, each other, and both keep c, which is no higher: whoever drained to the other, or was
+/// one flat with it, still does or is through c. So the pits can be followed without looking at the
+/// triangulation: only d gains, a neighbour c that is lower (its pit is gone) or level (its pit is gone or
+/// one with the pit of c).
+#include "terrain/flip.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/assert.hpp"
+#include "kernel/parallel.hpp"
+#include "kernel/predicates_inline.hpp"
+#include "terrain/disjoint_sets.hpp"
+
+namespace thalweg::detail {
+namespace {
+
+/// A flip that may be done: half-edge a -> b with the apexes c, the lowest of the four, and d, as they were
+/// when it was found.
+struct Candidate {
+  HalfedgeId halfedge;
+  VertexId a, b, c, d;
+};
+
+/// The Delaunay pits while flips remove and join them.
+class PitLedger {
+ public:
+  explicit PitLedger(const Surface& surface)
+      : surface_(&surface),
+        groups_(surface.pits().size()),
+        gone_(surface.pits().size(), 0),
+        left_(surface.pits().size()) {}
+
+  std::uint32_t left() const noexcept { return left_; }
+
+  /// Records the new edge from d to c, which is lower in elevation order. Returns a vertex of the pit that is
+  /// no more: of d's, which now drains or belongs to c's; invalid if there was none.
+  VertexId join(VertexId c, VertexId d) {
+    const std::uint32_t high = alive(d);
+    if (high == Surface::kNoPit) return VertexId();
+    const VertexId name = surface_->lowest(surface_->pits()[high]);
+    if (surface_->z(c) == surface_->z(d)) {
+      const std::uint32_t level = alive(c);
+      if (level == high) return VertexId();
+      if (level != Surface::kNoPit) {
+        groups_.join(high, level);
+        --left_;
+        return name;
+      }
+    }
+    gone_[high] = 1;
+    --left_;
+    return name;
+  }
+
+ private:
+  /// The group of pits that v lies on, or kNoPit if it drains.
+  std::uint32_t alive(VertexId v) noexcept {
+    const std::uint32_t pit = surface_->pit_of(v);
+    if (pit == Surface::kNoPit) return pit;
+    const std::uint32_t group = groups_.find(pit);
+    return gone_[group] != 0 ? Surface::kNoPit : group;
+  }
+
+  const Surface* surface_;
+  DisjointSets groups_;
+  std::vector<std::uint8_t> gone_;
+  std::uint32_t left_;
+};
+
+class FlipRun {
+ public:
+  FlipRun(const Surface& surface, unsigned k, const Watch& watch)
+      : surface_(surface),
+        watch_(watch),
+        k_(k),
+        counter_(surface.graph()),
+        ledger_(surface),
+        buckets_(k + std::size_t{1}) {
+    outcome_.triangulation = surface.delaunay();
+  }
+
+  Outcome run(std::vector<std::uint32_t>* pits_at) {
+    if (k_ > 0) collect_all();
+    if (pits_at != nullptr) pits_at->assign(1, ledger_.left());
+    for (unsigned level = 1; level <= k_ && !watch_.stopped(); ++level) {
+      while (!buckets_[level].empty() && !watch_.stopped()) flip_wave(level);
+      if (pits_at != nullptr) pits_at->push_back(ledger_.left());
+      watch_.report("flipping", static_cast<double>(level) / k_);
+    }
+    outcome_.pits = ledger_.left();
+    outcome_.circle_counts += counter_.calls();
+    return std::move(outcome_);
+  }
+
+ private:
+  /// The order bucket of the flip of h, with the candidate; k + 1 if it is not to be done.
+  unsigned assess(CircleCounter& counter, HalfedgeId h, Candidate& candidate) const {
+    const Triangulation& t = outcome_.triangulation;
+    if (t.on_hull(h)) return k_ + 1;
+    HalfedgeId edge = h;
+    if (surface_.lower(t.apex(t.twin(h)), t.apex(h))) edge = t.twin(h);
+    const VertexId a = t.origin(edge), b = t.dest(edge), c = t.apex(edge), d = t.apex(t.twin(edge));
+    if (!surface_.lower(c, a) || !surface_.lower(c, b)) return k_ + 1;
+    const auto at = [&](VertexId v) { return surface_.sites()[v.index()]; };
+    if (orient2d_sign(at(d), at(c), at(a)) <= 0 || orient2d_sign(at(d), at(c), at(b)) >= 0) return k_ + 1;
+    candidate = {edge, a, b, c, d};
+    const unsigned first = counter.count_in_circle(d, c, a, k_);
+    if (first > k_) return first;
+    return std::max({1u, first, counter.count_in_circle(c, d, b, k_)});
+  }
+
+  void collect_all() {
+    using Found = std::pair<unsigned, Candidate>;
+    constexpr std::size_t kChunk = 1 << 14;
+    const std::size_t count = outcome_.triangulation.halfedge_count();
+    std::vector<std::vector<Found>> lists((count + kChunk - 1) / kChunk);
+    std::atomic<std::uint64_t> counts{0};
+    parallel_chunks(count, kChunk, watch_.threads, [&] {
+      return [&, counter = CircleCounter(surface_.graph())](std::size_t begin, std::size_t end) mutable {
+        if (watch_.stopped()) return;
+        const std::uint64_t calls = counter.calls();
+        for (std::size_t i = begin; i < end; ++i) {
+          const HalfedgeId h(static_cast<std::uint32_t>(i));
+          if (outcome_.triangulation.twin(h) < h) continue;  // once an edge
+          Candidate candidate;
+          const unsigned order = assess(counter, h, candidate);
+          if (order <= k_) lists[begin / kChunk].push_back({order, candidate});
+        }
+        counts.fetch_add(counter.calls() - calls, std::memory_order_relaxed);
+      };
+    });
+    for (const auto& list : lists) {
+      for (const auto& [order, candidate] : list) buckets_[order].push_back(candidate);
+    }
+    outcome_.circle_counts += counts.load();
+  }
+
+  /// Takes all candidates that wait at this level, in the order of their new edges' ranks.
+  void flip_wave(unsigned level) {
+    wave_.clear();
+    for (const Candidate& candidate : buckets_[level]) {
+      wave_.emplace_back((std::uint64_t{surface_.rank(candidate.c)} << 32) | surface_.rank(candidate.d),
+                         candidate);
+    }
+    buckets_[level].clear();
+    std::sort(wave_.begin(), wave_.end(), [](const auto& x, const auto& y) {
+      return x.first != y.first ? x.first < y.first : x.second.halfedge < y.second.halfedge;
+    });
+    for (const auto& [key, candidate] : wave_) {
+      if (is_current(candidate)) flip(candidate, level);
+    }
+  }
+
+  bool is_current(const Candidate& candidate) const {
+    const Triangulation& t = outcome_.triangulation;
+    const HalfedgeId h = candidate.halfedge;
+    return t.origin(h) == candidate.a && t.dest(h) == candidate.b && t.apex(h) == candidate.c &&
+           !t.on_hull(h) && t.apex(t.twin(h)) == candidate.d;
+  }
+
+  void flip(const Candidate& candidate, unsigned level) {
+    Triangulation& t = outcome_.triangulation;
+    const HalfedgeId h = t.flip(candidate.halfedge);
+    const HalfedgeId twin = t.twin(h);
+    ++outcome_.flips;
+    const VertexId pit = ledger_.join(candidate.c, candidate.d);
+    if (watch_.keep_trail) {
+      outcome_.trail.push_back(
+          {TrailStep::Kind::flip, level, candidate.c, candidate.d, candidate.a, candidate.b, pit});
+    }
+    for (const HalfedgeId side : {Triangulation::next(h), Triangulation::prev(h), Triangulation::next(twin),
+                                  Triangulation::prev(twin)}) {
+      Candidate next;
+      const unsigned order = assess(counter_, side, next);
+      // What a lower round would have done, had it been possible then, is done in this one.
+      if (order <= k_) buckets_[std::max(order, level)].push_back(next);
+    }
+  }
+
+  const Surface& surface_;
+  const Watch& watch_;
+  const unsigned k_;
+  CircleCounter counter_;
+  PitLedger ledger_;
+  std::vector<std::vector<Candidate>> buckets_;
+  std::vector<std::pair<std::uint64_t, Candidate>> wave_;
+  Outcome outcome_;
+};
+
+}  // namespace
+
+Outcome flip_pits(const Surface& surface, unsigned k, const Watch& watch,
+                  std::vector<std::uint32_t>* pits_at) {
+  return FlipRun(surface, k, watch).run(pits_at);
+}
+
+}  // namespace thalweg::detail

@@ -1,0 +1,128 @@
+/// Duplicates, by policy.
+#include "terrain/merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "kernel/spatial_order.hpp"
+
+namespace thalweg::detail {
+namespace {
+
+constexpr std::size_t kNamedRows = 10;
+
+/// The first rows that hold a NaN or an infinity.
+Result<bool> require_finite(std::span<const Point3> points) {
+  Error error{ErrorCode::not_finite, "", {}};
+  for (std::size_t i = 0; i < points.size() && error.rows.size() < kNamedRows; ++i) {
+    const Point3& p = points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      error.rows.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  if (error.rows.empty()) return true;
+  error.message = "row " + std::to_string(error.rows[0]) + " holds a coordinate that is NaN or infinite";
+  return error;
+}
+
+/// The row of the group that stands for it. Rows of a group ascend.
+std::uint32_t chosen_row(std::span<const Point3> points, std::span<const std::uint32_t> group,
+                         DuplicatePolicy policy) {
+  const auto less_z = [&](std::uint32_t a, std::uint32_t b) { return points[a].z < points[b].z; };
+  switch (policy) {
+    case DuplicatePolicy::lowest:
+      return *std::min_element(group.begin(), group.end(), less_z);
+    case DuplicatePolicy::highest:
+      return *std::max_element(group.begin(), group.end(), less_z);
+    case DuplicatePolicy::last:
+      return group.back();
+    case DuplicatePolicy::first:
+    case DuplicatePolicy::mean:
+    case DuplicatePolicy::error:
+      break;
+  }
+  return group.front();
+}
+
+/// The mean elevation of a group. Summed in ascending order, so that the order of rows does not show in the
+/// last bit.
+double mean_z(std::span<const Point3> points, std::span<const std::uint32_t> group) {
+  std::vector<double> z;
+  for (const std::uint32_t row : group) z.push_back(points[row].z);
+  std::sort(z.begin(), z.end());
+  if (z.front() == z.back()) return z.front();
+  const auto count = static_cast<double>(z.size());
+  double sum = 0, sum_of_parts = 0;
+  for (const double value : z) {
+    sum += value;
+    sum_of_parts += value / count;
+  }
+  return std::isfinite(sum) ? sum / count : sum_of_parts;
+}
+
+void merge_group(std::span<const Point3> points, std::span<const std::uint32_t> group, DuplicatePolicy policy,
+                 MergedSites& sites) {
+  const std::uint32_t row = chosen_row(points, group, policy);
+  sites.row.push_back(row);
+  sites.z.push_back(points[row].z);
+  if (group.size() == 1) return;
+  for (const std::uint32_t other : group) {
+    if (other != row) sites.merged.emplace_back(other, row);
+  }
+  if (policy == DuplicatePolicy::mean) {
+    sites.z.back() = mean_z(points, group);
+    if (sites.z.back() != points[row].z) sites.mean_elevations.emplace_back(row, sites.z.back());
+  }
+}
+
+Error duplicate_error(std::span<const std::uint32_t> group) {
+  return {ErrorCode::duplicate_points,
+          "rows " + std::to_string(group[0]) + " and " + std::to_string(group[1]) + " have the same x and y",
+          {group.begin(), group.end()}};
+}
+
+}  // namespace
+
+Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy policy, unsigned threads) {
+  if (points.size() >= VertexId::kInvalid) {
+    return Error{ErrorCode::too_many_points,
+                 std::to_string(points.size()) + " points are more than 32-bit ids can number",
+                 {}};
+  }
+  if (auto finite = require_finite(points); !finite) return std::move(finite).error();
+
+  MergedSites sites;
+  {
+    std::vector<Point2> xy(points.size());
+    std::transform(points.begin(), points.end(), xy.begin(), [](const Point3& p) {
+      return Point2{p.x, p.y};
+    });
+    SpatialOrder order = spatial_order(xy, threads);
+    const std::uint32_t count = order.site_count();
+    if (order.distinct()) {
+      sites.row = std::move(order.rows);
+      sites.z.resize(count);
+      for (std::uint32_t s = 0; s < count; ++s) sites.z[s] = points[sites.row[s]].z;
+    } else {
+      sites.row.reserve(count);
+      sites.z.reserve(count);
+      for (std::uint32_t s = 0; s < count; ++s) {
+        const std::span<const std::uint32_t> group =
+            std::span(order.rows).subspan(order.starts[s], order.starts[s + 1] - order.starts[s]);
+        if (group.size() > 1 && policy == DuplicatePolicy::error) return duplicate_error(group);
+        merge_group(points, group, policy, sites);
+      }
+      std::sort(sites.merged.begin(), sites.merged.end());
+      std::sort(sites.mean_elevations.begin(), sites.mean_elevations.end());
+    }
+    sites.keys = std::move(order.keys);
+  }
+  sites.xy.resize(sites.row.size());
+  std::transform(sites.row.begin(), sites.row.end(), sites.xy.begin(), [&](std::uint32_t row) {
+    return Point2{points[row].x, points[row].y};
+  });
+  return sites;
+}
+
+}  // namespace thalweg::detail

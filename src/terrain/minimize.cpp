@@ -1,0 +1,200 @@
+/// The one way through the house: points, sites, Delaunay, heuristic, report.
+#include "thalweg/minimize.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "kernel/assert.hpp"
+#include "kernel/delaunay_sites.hpp"
+#include "kernel/parallel.hpp"
+#include "terrain/best.hpp"
+#include "terrain/changes.hpp"
+#include "terrain/exits.hpp"
+#include "terrain/flip.hpp"
+#include "terrain/hull.hpp"
+#include "terrain/merge.hpp"
+#include "terrain/reasons.hpp"
+#include "terrain/surface.hpp"
+
+namespace thalweg {
+namespace {
+
+using detail::MergedSites;
+using detail::Outcome;
+using detail::Surface;
+using detail::Watch;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Error cancelled() {
+  return {ErrorCode::cancelled, "cancelled by the caller", {}};
+}
+
+Watch watch_of(const MinimizeOptions& options) {
+  return {options.progress, options.cancel, detail::resolve_threads(options.threads), options.keep_trail};
+}
+
+/// The canonical Delaunay triangulation of merged sites; an error names the caller's rows.
+Result<Triangulation> triangulate(const MergedSites& sites, const Watch& watch) {
+  auto delaunay = detail::delaunay_of_sites(sites.xy, sites.keys, watch.threads);
+  if (delaunay) return delaunay;
+  Error error = std::move(delaunay).error();
+  for (std::uint32_t& row : error.rows) row = sites.row[row];
+  return error;
+}
+
+Outcome run_method(const Surface& surface, std::span<const detail::Exit> exits,
+                   const MinimizeOptions& options, const Watch& watch) {
+  switch (options.method) {
+    case Method::flip:
+      return detail::flip_pits(surface, options.order, watch);
+    case Method::hull:
+      return detail::insert_hulls(surface, exits, options.order, watch);
+    case Method::best:
+      return detail::best_pits(surface, exits, options.order, watch);
+    case Method::delaunay:
+      break;
+  }
+  Outcome outcome;
+  outcome.triangulation = surface.delaunay();
+  outcome.pits = surface.pits().size();
+  return outcome;
+}
+
+/// The pits of the Delaunay triangulation of which the result has nothing left.
+std::vector<RemovedPit> removed_pits(const Surface& surface, const Pits& after) {
+  std::vector<std::uint8_t> remains(surface.pits().size(), 0);
+  for (std::uint32_t i = 0; i < after.size(); ++i) {
+    for (const VertexId v : after[i]) {
+      if (surface.pit_of(v) != Surface::kNoPit) remains[surface.pit_of(v)] = 1;
+    }
+  }
+  std::vector<RemovedPit> removed;
+  for (std::uint32_t i = 0; i < surface.pits().size(); ++i) {
+    if (remains[i] != 0) continue;
+    const auto pit = surface.pits()[i];
+    removed.push_back(
+        {surface.lowest(pit), static_cast<std::uint32_t>(pit.size()), surface.pits().boundary(i)});
+  }
+  return removed;
+}
+
+/// Everything that is reported about the result, with the vertex ids of the surface.
+void describe(const Surface& surface, const Outcome& outcome, std::span<const detail::Exit> exits,
+              const MinimizeOptions& options, const Watch& watch, Minimized& result) {
+  const Triangulation& t = outcome.triangulation;
+  const Pits after = find_pits(t, surface.z());
+  THALWEG_ASSERT(after.size() == outcome.pits);
+  result.delaunay_pits = surface.pits().count();
+  result.pits = after.count();
+  result.lower_bound = detail::reach_bound(surface, exits);
+  result.certified = result.pits.total == result.lower_bound;
+
+  watch.report("explaining", 0);
+  detail::Explained explained =
+      detail::explain_pits(surface, after, exits, options.order, options.method, watch);
+  result.remaining = std::move(explained.pits);
+  result.order_searched = explained.order_searched;
+  result.removed = removed_pits(surface, after);
+
+  const std::vector<FaceId> changed = detail::changed_faces(surface, t);
+  result.circle_counts = outcome.circle_counts;
+  result.face_orders = detail::orders_after(surface, t, changed, options.order, result.circle_counts);
+  const detail::EdgeChanges edges = detail::edge_changes(surface, t, changed);
+  result.edges_changed = edges.changed;
+  result.non_delaunay_edges = edges.non_delaunay;
+  result.min_angle_before_deg = detail::min_angle_deg(surface, surface.delaunay());
+  result.min_angle_after_deg = detail::min_angle_deg(surface, t);
+  result.flips = outcome.flips;
+  result.insertions = outcome.insertions;
+}
+
+/// From the ids of the surface to the caller's.
+void rename(std::span<const std::uint32_t> row, Minimized& result) {
+  const auto to_row = [&](VertexId& v) {
+    if (v.valid()) v = VertexId(row[v.index()]);
+  };
+  for (RemainingPit& pit : result.remaining) to_row(pit.vertex);
+  for (RemovedPit& pit : result.removed) to_row(pit.vertex);
+  const auto by_vertex = [](const auto& a, const auto& b) { return a.vertex < b.vertex; };
+  std::sort(result.remaining.begin(), result.remaining.end(), by_vertex);
+  std::sort(result.removed.begin(), result.removed.end(), by_vertex);
+  for (TrailStep& step : result.trail) {
+    for (VertexId* v : {&step.u, &step.v, &step.old_u, &step.old_v, &step.pit}) to_row(*v);
+  }
+}
+
+}  // namespace
+
+Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOptions& options) {
+  const Watch watch = watch_of(options);
+  auto start = std::chrono::steady_clock::now();
+  watch.report("triangulating", 0);
+  auto merged = detail::merge_sites(points, options.duplicates, watch.threads);
+  if (!merged) return std::move(merged).error();
+  MergedSites sites = *std::move(merged);
+  auto delaunay = triangulate(sites, watch);
+  if (!delaunay) return std::move(delaunay).error();
+
+  Minimized result;
+  result.sites = static_cast<std::uint32_t>(sites.xy.size());
+  result.merged = std::move(sites.merged);
+  result.mean_elevations = std::move(sites.mean_elevations);
+  result.seconds_delaunay = seconds_since(start);
+  if (watch.stopped()) return cancelled();
+
+  start = std::chrono::steady_clock::now();
+  const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
+  watch.report("searching exits", 0);
+  const std::vector<detail::Exit> exits =
+      detail::find_exits(surface, options.order, watch.threads, options.cancel);
+  if (watch.stopped()) return cancelled();
+  watch.report("removing pits", 0);
+  Outcome outcome = run_method(surface, exits, options, watch);
+  if (watch.stopped()) return cancelled();
+  describe(surface, outcome, exits, options, watch, result);
+  if (watch.stopped()) return cancelled();
+
+  result.trail = std::move(outcome.trail);
+  rename(sites.row, result);
+  result.triangulation =
+      std::move(outcome.triangulation).renamed(sites.row, static_cast<std::uint32_t>(points.size()));
+  result.seconds_minimize = seconds_since(start);
+  return result;
+}
+
+Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
+                         const MinimizeOptions& options) {
+  if (first > last) {
+    return Error{ErrorCode::invalid_argument, "the first order of a sweep is larger than the last", {}};
+  }
+  const Watch watch = watch_of(options);
+  auto merged = detail::merge_sites(points, options.duplicates, watch.threads);
+  if (!merged) return std::move(merged).error();
+  MergedSites sites = *std::move(merged);
+  auto delaunay = triangulate(sites, watch);
+  if (!delaunay) return std::move(delaunay).error();
+
+  const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
+  const std::vector<detail::Exit> exits = detail::find_exits(surface, last, watch.threads, options.cancel);
+  std::vector<std::uint32_t> hull_pits, flip_pits;
+  static_cast<void>(detail::insert_hulls(surface, exits, last, watch, &hull_pits));
+  static_cast<void>(detail::flip_pits(surface, last, watch, &flip_pits));
+
+  Sweep sweep;
+  sweep.sites = static_cast<std::uint32_t>(surface.sites().size());
+  for (unsigned k = first; k <= last && !watch.stopped(); ++k) {
+    const auto within = detail::exits_up_to(exits, k);
+    const std::uint32_t best = detail::best_pits(surface, within, k, watch).pits;
+    const std::uint32_t bound = detail::reach_bound(surface, within);
+    sweep.rows.push_back({k, flip_pits[k], hull_pits[k], best, bound, best == bound});
+    watch.report("sweeping", static_cast<double>(k - first + 1) / (last - first + 1));
+  }
+  if (watch.stopped()) return cancelled();
+  return sweep;
+}
+
+}  // namespace thalweg

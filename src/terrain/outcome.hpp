@@ -1,0 +1,37 @@
+/// What a heuristic hands on: a triangulation of the surface, and how it came about.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "thalweg/minimize.hpp"
+#include "thalweg/triangulation.hpp"
+
+namespace thalweg::detail {
+
+struct Outcome {
+  Triangulation triangulation;
+  std::uint32_t pits = 0;
+  std::vector<TrailStep> trail;  // vertex ids of the surface
+  std::uint64_t flips = 0;
+  std::uint64_t insertions = 0;
+  std::uint64_t circle_counts = 0;
+};
+
+/// How a long computation is watched and stopped. A stage that finds `stopped()` true returns early; what it
+/// returns is then of no meaning and thrown away by whoever asked for the stop.
+struct Watch {
+  std::function<void(const char* stage, double fraction)> progress;
+  const std::atomic<bool>* cancel = nullptr;
+  unsigned threads = 1;
+  bool keep_trail = false;
+
+  bool stopped() const noexcept { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  void report(const char* stage, double fraction) const {
+    if (progress) progress(stage, fraction);
+  }
+};
+
+}  // namespace thalweg::detail

@@ -1,0 +1,99 @@
+/// Reasons: from the exits already known, and a search beyond k for the pits that have none.
+#include "terrain/reasons.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "order/sleeve_search.hpp"
+
+namespace thalweg::detail {
+namespace {
+
+/// Answers for the least order <= k of an exit of any flat.
+class KnownExits {
+ public:
+  KnownExits(const Surface& surface, std::span<const Exit> exits, unsigned k)
+      : surface_(surface), k_(k), by_source_(exits.begin(), exits.end()), counter_(surface.graph()) {
+    std::sort(by_source_.begin(), by_source_.end(), [](const Exit& a, const Exit& b) {
+      return a.from != b.from ? a.from < b.from : a.order < b.order;
+    });
+  }
+
+  std::optional<unsigned> least_order(std::span<const VertexId> flat) {
+    std::optional<unsigned> least;
+    for (const VertexId p : flat) {
+      // The exits of a vertex on a Delaunay pit are known; those of a vertex that has become part of a pit
+      // are not.
+      const bool known = surface_.pit_of(p) != Surface::kNoPit;
+      const auto order = known ? from_list(flat, p) : from_search(flat, p);
+      if (order && (!least || *order < *least)) least = order;
+    }
+    return least;
+  }
+
+ private:
+  bool leads_out(std::span<const VertexId> flat, VertexId p, VertexId q) const {
+    return surface_.z(q) < surface_.z(p) ||
+           (surface_.z(q) == surface_.z(p) && !std::binary_search(flat.begin(), flat.end(), q));
+  }
+
+  std::optional<unsigned> from_list(std::span<const VertexId> flat, VertexId p) const {
+    auto it = std::lower_bound(by_source_.begin(), by_source_.end(), p,
+                               [](const Exit& exit, VertexId v) { return exit.from < v; });
+    for (; it != by_source_.end() && it->from == p; ++it) {
+      if (leads_out(flat, p, it->to)) return it->order;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<unsigned> from_search(std::span<const VertexId> flat, VertexId p) {
+    std::optional<unsigned> least;
+    unsigned limit = k_;
+    SleeveSearch(surface_.graph(), counter_)
+        .run(
+            p, limit, [&](VertexId q) { return leads_out(flat, p, q); },
+            [&](VertexId, unsigned order) {
+              if (!least || order < *least) least = order;
+              return order == 0;
+            });
+    return least;
+  }
+
+  const Surface& surface_;
+  unsigned k_;
+  std::vector<Exit> by_source_;
+  CircleCounter counter_;
+};
+
+}  // namespace
+
+Explained explain_pits(const Surface& surface, const Pits& pits, std::span<const Exit> exits, unsigned k,
+                       Method method, const Watch& watch) {
+  Explained explained;
+  KnownExits known(surface, exits, k);
+  std::vector<std::vector<VertexId>> stuck;
+  std::vector<std::size_t> stuck_pits;
+  for (std::uint32_t i = 0; i < pits.size() && !watch.stopped(); ++i) {
+    RemainingPit pit;
+    pit.vertex = surface.lowest(pits[i]);
+    pit.vertices = static_cast<std::uint32_t>(pits[i].size());
+    pit.boundary = pits.boundary(i);
+    pit.order_needed = known.least_order(pits[i]);
+    if (pit.order_needed) {
+      pit.reason = method == Method::delaunay ? PitReason::kept : PitReason::conflict;
+    } else {
+      pit.reason = PitReason::unremovable;
+      stuck.emplace_back(pits[i].begin(), pits[i].end());
+      stuck_pits.push_back(i);
+    }
+    explained.pits.push_back(pit);
+  }
+  const LeastOrders least = least_exit_orders(surface, stuck, k, watch.threads, watch.cancel);
+  for (std::size_t i = 0; i < least.of_flat.size(); ++i)
+    explained.pits[stuck_pits[i]].order_needed = least.of_flat[i];
+  explained.order_searched = least.searched;
+  return explained;
+}
+
+}  // namespace thalweg::detail

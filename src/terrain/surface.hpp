@@ -1,0 +1,53 @@
+/// The fixed ground on which every heuristic works: sites in spatial order, elevations, the Delaunay
+/// triangulation.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "thalweg/circle_count.hpp"
+#include "thalweg/pits.hpp"
+#include "thalweg/point.hpp"
+#include "thalweg/triangulation.hpp"
+
+namespace thalweg::detail {
+
+class Surface {
+ public:
+  /// Requires: sites distinct, `delaunay` their canonical Delaunay triangulation with the same ids, z of
+  /// equal length.
+  Surface(std::vector<Point2> sites, std::vector<double> z, Triangulation delaunay);
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  std::span<const Point2> sites() const noexcept { return sites_; }
+  std::span<const double> z() const noexcept { return z_; }
+  double z(VertexId v) const noexcept { return z_[v.index()]; }
+  const Triangulation& delaunay() const noexcept { return delaunay_; }
+  const DelaunayGraph& graph() const noexcept { return graph_; }
+
+  /// The place of v in elevation order (z, x, y), from 0: the paper's "height normalised to 1 .. n".
+  std::uint32_t rank(VertexId v) const noexcept { return rank_[v.index()]; }
+  /// Whether u comes before v in elevation order.
+  bool lower(VertexId u, VertexId v) const noexcept { return rank(u) < rank(v); }
+
+  /// The pits of the Delaunay triangulation, and the pit that each vertex lies on (kNoPit if none).
+  const Pits& pits() const noexcept { return pits_; }
+  static constexpr std::uint32_t kNoPit = 0xffffffffu;
+  std::uint32_t pit_of(VertexId v) const noexcept { return pit_of_[v.index()]; }
+
+  /// The first of `vertices` in elevation order. Requires: not empty.
+  VertexId lowest(std::span<const VertexId> vertices) const noexcept;
+
+ private:
+  std::vector<Point2> sites_;
+  std::vector<double> z_;
+  Triangulation delaunay_;
+  DelaunayGraph graph_;
+  std::vector<std::uint32_t> rank_;
+  Pits pits_;
+  std::vector<std::uint32_t> pit_of_;
+};
+
+}  // namespace thalweg::detail
