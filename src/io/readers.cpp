@@ -1,0 +1,122 @@
+/// The public readers: each opens the file, finds its format and hands it to the reader of that format.
+#include <utility>
+
+#include "io/grid.hpp"
+#include "io/input_file.hpp"
+#include "io/mesh_file.hpp"
+#include "io/point_table.hpp"
+#include "io/readers.hpp"
+
+namespace thalweg::io {
+namespace {
+
+struct Opened {
+  InputFile input;
+  Format format;
+};
+
+Result<Opened> open_input(const std::string& path, const ReadOptions& options) {
+  Result<InputFile> input = read_input(path, options);
+  if (!input) return std::move(input).error();
+  const Result<Format> format = format_of_input(*input, path, options);
+  if (!format) return format.error();
+  return Opened{std::move(*input), *format};
+}
+
+bool is_mesh(Format format) {
+  return format == Format::obj || format == Format::ply || format == Format::ply_ascii ||
+         format == Format::two_dm;
+}
+
+Result<MeshFile> parse_mesh(const Opened& opened, Faces faces) {
+  if (opened.format == Format::obj) return parse_obj(opened.input, faces);
+  if (opened.format == Format::two_dm) return parse_2dm(opened.input, faces);
+  return parse_ply(opened.input, faces);
+}
+
+PointTable cells_of(const Grid& grid) {
+  PointTable table;
+  for (std::uint32_t row = 0; row < grid.rows; ++row) {
+    for (std::uint32_t column = 0; column < grid.columns; ++column) {
+      const double z = grid.value(row, column);
+      if (grid.is_nodata(z)) {
+        ++table.skipped_nodata;
+      } else {
+        table.points.push_back({grid.x[column], grid.y[row], z});
+      }
+    }
+  }
+  return table;
+}
+
+Result<PointTable> parse_points(const Opened& opened, const ReadOptions& options) {
+  if (is_mesh(opened.format)) {
+    Result<MeshFile> mesh = parse_mesh(opened, Faces::ignore);
+    if (!mesh) return std::move(mesh).error();
+    PointTable table;
+    table.crs = std::move(mesh->crs);
+    table.points = std::move(mesh->points);
+    if (options.nodata) {
+      table.skipped_nodata =
+          std::erase_if(table.points, [&](const Point3& p) { return p.z == *options.nodata; });
+    }
+    return table;
+  }
+  if (opened.format == Format::asc) {
+    Result<Grid> grid = parse_grid(opened.input, options);
+    if (!grid) return std::move(grid).error();
+    return cells_of(*grid);
+  }
+  return parse_table(opened.input, options);
+}
+
+}  // namespace
+
+Result<PointTable> read_points(const std::string& path, const ReadOptions& options) {
+  Result<Opened> opened = open_input(path, options);
+  if (!opened) return std::move(opened).error();
+  Result<PointTable> table = parse_points(*opened, options);
+  if (!table) return table;
+  if (table->points.empty()) {
+    return opened->input.error(ErrorCode::malformed, table->skipped_nodata == 0
+                                                         ? "has no points"
+                                                         : "has no points: every z is the no-data value");
+  }
+  if (table->points.size() > kMostPoints) {
+    return opened->input.error(ErrorCode::too_many_points,
+                               "more points than 32-bit ids can number: split the file");
+  }
+  return table;
+}
+
+Result<Grid> read_grid(const std::string& path, const ReadOptions& options) {
+  Result<Opened> opened = open_input(path, options);
+  if (!opened) return std::move(opened).error();
+  if (opened->format != Format::asc) {
+    return opened->input.error(ErrorCode::malformed,
+                               "is no grid: give an ESRI ASCII grid (.asc), or say --from asc");
+  }
+  return parse_grid(opened->input, options);
+}
+
+Result<MeshFile> read_mesh(const std::string& path, const ReadOptions& options) {
+  Result<Opened> opened = open_input(path, options);
+  if (!opened) return std::move(opened).error();
+  if (!is_mesh(opened->format)) {
+    return opened->input.error(ErrorCode::malformed,
+                               "has points but no triangles: give a mesh (obj, ply, 2dm)");
+  }
+  Result<MeshFile> mesh = parse_mesh(*opened, Faces::keep);
+  if (!mesh) return mesh;
+  if (mesh->points.size() > kMostPoints) {
+    return opened->input.error(ErrorCode::too_many_points,
+                               "more vertices than 32-bit ids can number: split the mesh");
+  }
+  if (mesh->points.empty())
+    return opened->input.error(ErrorCode::malformed, "has no vertices: it is no mesh");
+  if (mesh->triangles.empty())
+    return opened->input.error(ErrorCode::malformed, "has no faces: points alone are no mesh");
+  return mesh;
+}
+
+}  // namespace thalweg::io
