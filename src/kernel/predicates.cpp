@@ -171,11 +171,13 @@ int compare_distance_unfiltered(Point2 a, Point2 b, Point2 c) noexcept {
 // the coefficient of a corner is the triangle with d in its place, that of d is minus the triangle. The e are
 // positive and that of the lexicographically largest point outweighs the others, so its coefficient decides:
 // a lifted d is outside; a lifted corner leaves d inside iff d is on the corner's side of the opposite edge.
-// Four distinct points on a circle have no three collinear, so the coefficient is not 0.
+// Four distinct points on a circle have no three collinear, so the coefficient is not 0. If two points
+// coincide, so do their lifts, and the determinant has two equal rows.
 int incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   const Point2 ab = less(a, b) ? b : a;
   const Point2 cd = less(c, d) ? d : c;
   const Point2 lifted = less(ab, cd) ? cd : ab;
+  if ((a == lifted) + (b == lifted) + (c == lifted) + (d == lifted) > 1) return 0;
   if (lifted == d) return -orient2d_sign(a, b, c);
   if (lifted == a) return orient2d_sign(d, b, c);
   if (lifted == b) return orient2d_sign(a, d, c);

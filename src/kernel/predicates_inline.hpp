@@ -114,8 +114,8 @@ int incircle_tie(Point2 a, Point2 b, Point2 c, Point2 d) noexcept;
 
 /// incircle after the symbolic perturbation that makes the Delaunay triangulation unique: the larger a site
 /// in (x, y), lexicographically, the higher it is lifted above the paraboloid, beyond all comparison. Returns
-/// as incircle, but 0 only if two of the points coincide or three or more of them are collinear. Laws: as
-/// incircle; depends on coordinates alone; -0.0 and 0.0 are equal.
+/// as incircle, but 0 only if two of the points coincide or all four are on one line. Laws: as incircle;
+/// depends on coordinates alone; -0.0 and 0.0 are equal.
 inline int incircle_canonical(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   const int sign = incircle_sign(a, b, c, d);
   return sign != 0 ? sign : incircle_tie(a, b, c, d);
