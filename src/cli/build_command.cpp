@@ -1,0 +1,230 @@
+/// `thalweg build`: points in, a terrain without false pits out.
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/common_options.hpp"
+#include "cli/compact_mesh.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/names.hpp"
+#include "cli/outputs.hpp"
+#include "cli/points_input.hpp"
+#include "cli/resources.hpp"
+#include "cli/summary.hpp"
+#include "io/write_mesh.hpp"
+#include "io/write_pits.hpp"
+
+namespace thalweg::cli {
+namespace {
+
+constexpr std::array kMeshFormats = {io::Format::ply,    io::Format::ply_ascii, io::Format::obj,
+                                     io::Format::two_dm, io::Format::csv,       io::Format::tsv,
+                                     io::Format::xyz};
+constexpr std::array kPitFormats = {io::Format::geojson, io::Format::csv, io::Format::tsv};
+
+constexpr const char* kFooter =
+    "x and y are metres or any other unit of length, the same on both axes (not degrees); elevations are "
+    "only\n"
+    "compared, so their unit is free. No coordinate is ever changed. Vertices of every output are in the "
+    "order of\n"
+    "the input rows, rows merged into others left out; `vertex` in --json and --pits counts them from 0.\n"
+    "The suffix of an output chooses its format: .ply, .obj, .2dm (meshes), .csv, .tsv, .xyz (vertices "
+    "alone).\n"
+    "\n"
+    "Examples:\n"
+    "  thalweg build points.xyz -o terrain.ply\n"
+    "  thalweg build dem.asc -k 6 -o terrain.2dm -o terrain.obj --pits pits.geojson --json report.json\n"
+    "  thalweg build points.csv --columns easting,northing,height -o - --to ply > terrain.ply\n"
+    "  thalweg build points.xyz                         only the report, nothing written";
+
+struct BuildOptions {
+  std::string points;
+  OutputPaths outputs;
+  unsigned order = 8;
+  Method method = Method::best;
+  DuplicatePolicy duplicates = DuplicatePolicy::lowest;
+  std::string pits;
+  bool fail_on_pits = false;
+  std::optional<std::uint64_t> max_memory;
+  InputOptions input;
+  RunOptions run;
+};
+
+/// Where everything goes, once it is known to make sense.
+struct BuildTargets {
+  std::vector<FormattedPath> meshes;
+  std::vector<FormattedPath> pits;  // none or one
+};
+
+Result<BuildTargets> check_targets(const BuildOptions& options) {
+  Result<std::vector<FormattedPath>> meshes = choose_formats(options.outputs, kMeshFormats, "a mesh");
+  if (!meshes) return meshes.error();
+  OutputPaths pits;
+  if (!options.pits.empty()) pits.paths.push_back(options.pits);
+  Result<std::vector<FormattedPath>> pit_files = choose_formats(pits, kPitFormats, "pits");
+  if (!pit_files) return pit_files.error();
+  std::vector<NamedPath> named;
+  for (const std::string& path : options.outputs.paths) named.push_back({"-o", path});
+  if (!options.pits.empty()) named.push_back({"--pits", options.pits});
+  if (!options.run.json.empty()) named.push_back({"--json", options.run.json});
+  if (auto error = check_outputs(named, std::span(&options.points, 1), options.run.overwrite)) return *error;
+  return BuildTargets{std::move(*meshes), std::move(*pit_files)};
+}
+
+void explain_memory(const BuildOptions& options, std::uint64_t points, Console& console) {
+  const std::uint64_t needed = estimate_build_memory(points);
+  const std::uint64_t machine = machine_memory_bytes();
+  console.detail(options.points + ": " + counted(points, "point", "points") + ", about " +
+                 format_bytes(needed) + " of memory needed");
+  if (machine != 0 && needed > machine) {
+    console.warn("about " + format_bytes(needed) + " of memory is needed and this machine has " +
+                 format_bytes(machine) + ": cut the points into tiles if it does not suffice");
+  }
+}
+
+MinimizeOptions minimize_options(const BuildOptions& options, Console& console) {
+  MinimizeOptions minimize;
+  minimize.order = options.order;
+  minimize.method = options.method;
+  minimize.duplicates = options.duplicates;
+  minimize.threads = options.run.threads;
+  minimize.cancel = &interrupted();
+  minimize.progress = [&console](const char* stage, double fraction) { console.progress(stage, fraction); };
+  return minimize;
+}
+
+std::vector<io::PitFeature> pit_features(const CompactMesh& mesh, const Minimized& result) {
+  std::vector<io::PitFeature> features;
+  const auto feature = [&mesh](VertexId row) {
+    const std::uint32_t vertex = mesh.vertex_of_row[row.index()];
+    const Point3& p = mesh.points[vertex];
+    io::PitFeature made;
+    made.x = p.x;
+    made.y = p.y;
+    made.z = p.z;
+    made.vertex = vertex;
+    return made;
+  };
+  for (const RemainingPit& pit : result.remaining) {
+    io::PitFeature made = feature(pit.vertex);
+    made.boundary = pit.boundary;
+    made.reason = name_of(pit.reason);
+    made.order_needed = pit.order_needed;
+    made.vertices = pit.vertices;
+    features.push_back(std::move(made));
+  }
+  for (const RemovedPit& pit : result.removed) {
+    io::PitFeature made = feature(pit.vertex);
+    made.boundary = pit.boundary;
+    made.removed = true;
+    made.vertices = pit.vertices;
+    features.push_back(std::move(made));
+  }
+  return features;
+}
+
+std::optional<Error> add_data(OutputBatch& batch, const BuildTargets& targets, const CompactMesh& mesh,
+                              const Minimized& result, const std::string& crs) {
+  for (const FormattedPath& target : targets.meshes) {
+    const io::MeshView view = view_of(mesh, result, crs);
+    auto error = batch.add(target.path,
+                           [&](io::OutputFile& file) { return io::write_mesh(file, view, target.format); });
+    if (error) return error;
+  }
+  for (const FormattedPath& target : targets.pits) {
+    const std::vector<io::PitFeature> features = pit_features(mesh, result);
+    auto error = batch.add(
+        target.path, [&](io::OutputFile& file) { return io::write_pits(file, features, target.format); });
+    if (error) return error;
+  }
+  return std::nullopt;
+}
+
+ExitCode finish(const BuildOptions& options, const BuildReport& report, const BuildTargets& targets,
+                Console& console) {
+  describe(report, console);
+  for (const FormattedPath& target : targets.meshes) console.detail("  wrote      " + target.path);
+  for (const FormattedPath& target : targets.pits) console.detail("  wrote      " + target.path);
+  if (!options.fail_on_pits || report.result->pits.interior == 0) return ExitCode::done;
+  return console.fail(
+      ExitCode::verification,
+      options.points + ": " +
+          counted(report.result->pits.interior, "interior pit is left", "interior pits are left") +
+          " (--fail-on-pits): try a larger -k, or see --pits for where and why");
+}
+
+ExitCode run_build(const BuildOptions& options, Console& console) {
+  console.configure(options.run.bar, options.run.quiet, options.run.verbose);
+  const Result<BuildTargets> targets = check_targets(options);
+  if (!targets) return console.fail(targets.error());
+
+  Stopwatch watch;
+  BuildReport report{.file = options.points,
+                     .order = options.order,
+                     .method = options.method,
+                     .policy = options.duplicates,
+                     .threads = thread_count(options.run.threads)};
+  const Result<io::PointTable> table = load_points(options.points, options.input, options.run, console);
+  if (!table) return console.fail(table.error());
+  report.points = table->points.size();
+  report.seconds_read = watch.lap();
+  explain_memory(options, report.points, console);
+  if (const auto message = over_limit(report.points, options.max_memory)) {
+    return console.fail(ExitCode::resources, options.points + ": " + *message);
+  }
+
+  const Result<Minimized> result = minimize_pits(table->points, minimize_options(options, console));
+  if (!result) return console.fail(blame(options.points, result.error()));
+  warn_of_duplicates(console, options.points, result->merged.size(), options.duplicates);
+  const CompactMesh mesh = compact(table->points, *result);
+  report.result = &*result;
+  report.mesh = &mesh;
+
+  watch.lap();
+  console.progress("writing", 0);
+  const WritingOutputs guard;
+  OutputBatch batch(options.run.output());
+  if (auto error = add_data(batch, *targets, mesh, *result, table->crs)) return console.fail(*error);
+  report.seconds_write = watch.lap();
+  report.seconds_total = watch.total();
+  if (!options.run.json.empty()) {
+    if (auto error = batch.add(options.run.json, write_text(to_text(summarize(report))))) {
+      return console.fail(*error);
+    }
+  }
+  if (auto error = batch.commit()) return console.fail(*error);
+  return finish(options, report, *targets, console);
+}
+
+}  // namespace
+
+Command add_build(CLI::App& thalweg) {
+  const auto options = std::make_shared<BuildOptions>();
+  CLI::App* app =
+      thalweg.add_subcommand("build", "Points in, a terrain of order k with as few pits as possible out");
+  app->add_option("POINTS", options->points, "File of points (xyz, csv, tsv), grid (asc) or mesh; - is stdin")
+      ->required();
+  add_output_options(*app, options->outputs, "Mesh to write; may be given several times; - is stdout");
+  add_order(*app, "Most sites that any circumcircle may hold (default: 8)",
+            [options](unsigned k) { options->order = k; });
+  add_parsed<Method>(
+      *app, "-m,--method", "METHOD",
+      "delaunay (remove nothing), flip, hull, or best, which is never worse than the others (default: best)",
+      "a method: " + std::string(kMethodNames), [](const std::string& s) { return parse_method(s); },
+      [options](Method m) { options->method = m; });
+  add_pit_options(*app, options->pits, options->fail_on_pits);
+  add_duplicates(*app, options->duplicates);
+  add_parsed<std::uint64_t>(
+      *app, "--max-memory", "SIZE", "Refuse, with exit code 5, points that need more memory than, say, 8G",
+      "a size such as 800M or 8G", [](const std::string& s) { return parse_bytes(s); },
+      [options](std::uint64_t bytes) { options->max_memory = bytes; });
+  add_input_options(*app, options->input);
+  add_run_options(*app, options->run);
+  app->footer(kFooter);
+  return {app, [options](Console& console) { return run_build(*options, console); }};
+}
+
+}  // namespace thalweg::cli

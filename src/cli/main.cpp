@@ -1,0 +1,110 @@
+/// The `thalweg` command: finds the subcommand, runs it, and turns whatever happens into an exit code.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/interrupt.hpp"
+#include "thalweg/version.hpp"
+
+namespace thalweg::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  thalweg build points.xyz -o terrain.ply          the main job\n"
+    "  thalweg check terrain.ply -k 8                   is it a triangulation of order 8?\n"
+    "  thalweg sweep points.xyz -k 0..10                what would each order gain?\n"
+    "\n"
+    "Exit codes: 0 done; 1 internal error; 2 usage; 3 bad input; 4 verification failed or pits left;\n"
+    "5 out of memory; 6 output exists or cannot be written; 130 interrupted.\n"
+    "`thalweg COMMAND --help` tells the options of a command.";
+
+std::string version_line() {
+  return std::string("thalweg ") + version() + "\n";
+}
+
+/// Text that was asked for goes to stdout.
+ExitCode print(const std::string& text) {
+  const bool whole =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  return whole ? ExitCode::done : ExitCode::output;
+}
+
+std::string help_of(const CLI::App& root) {
+  std::string text = root.help();
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  return text;
+}
+
+bool is_command(const std::string& word, const std::vector<Command>& commands) {
+  return std::ranges::any_of(commands, [&](const Command& c) { return c.app->get_name() == word; });
+}
+
+std::string unknown_command(const std::string& word, const std::vector<Command>& commands) {
+  std::string message = "unknown command \"" + word + "\": give one of";
+  for (const Command& command : commands) message += " " + command.app->get_name();
+  return message;
+}
+
+ExitCode usage_error(Console& console, const CLI::App& root, const std::string& message) {
+  std::string called = "thalweg";
+  for (const CLI::App* command : root.get_subcommands()) called += " " + command->get_name();
+  return console.fail(ExitCode::usage, message + " (see " + called + " --help)");
+}
+
+ExitCode run(int argc, char** argv, Console& console) {
+  CLI::App root("Terrains without false pits: elevation points in, a triangulation of order k out.",
+                "thalweg");
+  root.footer(kFooter);
+  root.require_subcommand(1);
+  root.set_version_flag("--version", version());
+  const std::vector<Command> commands = {add_build(root), add_check(root),  add_edges(root),
+                                         add_sweep(root), add_sample(root), add_info(root)};
+  for (const Command& command : commands) command.app->set_version_flag("--version", version());
+
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (!word.empty() && word.front() != '-' && !is_command(word, commands)) {
+    return console.fail(ExitCode::usage, unknown_command(word, commands));
+  }
+  try {
+    root.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return print(help_of(root));
+  } catch (const CLI::CallForVersion&) {
+    return print(version_line());
+  } catch (const CLI::ParseError& error) {
+    return usage_error(console, root, error.what());
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run(console);
+  }
+  return ExitCode::usage;
+}
+
+ExitCode run_guarded(int argc, char** argv) {
+  Console console;
+  try {
+    return run(argc, argv, console);
+  } catch (const std::bad_alloc&) {
+    return console.fail(
+        ExitCode::resources,
+        "out of memory: free some, or cut the points into tiles (thalweg info estimates the need)");
+  } catch (const std::exception& error) {
+    return console.fail(ExitCode::internal, std::string("internal error: ") + error.what());
+  }
+}
+
+}  // namespace
+}  // namespace thalweg::cli
+
+int main(int argc, char** argv) {
+  thalweg::cli::handle_signals();
+  return static_cast<int>(thalweg::cli::run_guarded(argc, argv));
+}
