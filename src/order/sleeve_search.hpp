@@ -65,9 +65,6 @@ class SleeveSearch {
     return false;
   }
 
-  /// How many triangles all walks so far have entered.
-  std::uint64_t steps() const noexcept { return steps_; }
-
  private:
   /// A cone about to cross `edge`, which runs from its right to its left side with p's side on its left.
   struct Cone {
@@ -91,7 +88,6 @@ class SleeveSearch {
     while (!stack_.empty()) {
       const Cone cone = stack_.back();
       stack_.pop_back();
-      ++steps_;
       left_.resize(cone.left);
       right_.resize(cone.right);
       if (cone.passed.valid()) add_distinct(cone.passed_left ? left_ : right_, cone.passed);
@@ -159,7 +155,6 @@ class SleeveSearch {
   CircleCounter* counter_;
   std::vector<VertexId> left_, right_;
   std::vector<Cone> stack_;
-  std::uint64_t steps_ = 0;
 };
 
 }  // namespace thalweg::detail
