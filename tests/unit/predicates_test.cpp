@@ -174,7 +174,7 @@ TEST(Incircle, ExactAcrossTheWholeRangeInOneCall) {
   expect_incircle(-1, {1e308, 0}, {0, 1e308}, {-1e308, 0}, {kMin, -1e308});
 }
 
-// The lattice test once took multiples of g / 2 for multiples of g just below -2^51 g.
+// Where the lattice stage has to tell multiples of its step from multiples of half of it.
 TEST(Incircle, SmallFiguresFarFromTheOriginOnBothSides) {
   for (int exponent = 0; exponent < 53; ++exponent) {
     const double far = std::ldexp(1.0, exponent);
@@ -278,6 +278,26 @@ TEST(PredicateStages, GridDecidesSmallLattices) {
       thalweg::detail::incircle_grid({4e6, 5e5}, {4e6 + 30, 5e5}, {4e6 + 30, 5e5 + 30}, {4e6, 5e5 + 30}),
       MaybeSign(0));
   EXPECT_EQ(thalweg::detail::incircle_grid({0, 0}, {1, 0}, {1, 1}, {0, up(1)}), std::nullopt);
+}
+
+// Four lattice points of a circle about the origin, stretched: where the products pass 53 bits, the doubles
+// give a determinant that is not 0, and the lattice stage must have stopped answering.
+TEST(PredicateStages, GridStopsBeforeTheFirstRounding) {
+  const std::array<Point2, 4> circle = {Point2{63, 16}, {-33, 56}, {-60, -25}, {39, -52}};
+  int rounded = 0, answered = 0;
+  for (int re = 1; re < 4000; re += 7) {
+    std::array<Point2, 4> p;
+    const double im = re / 3;
+    for (std::size_t i = 0; i < 4; ++i) {
+      p[i] = {re * circle[i].x - im * circle[i].y, re * circle[i].y + im * circle[i].x};
+    }
+    const MaybeSign sign = thalweg::detail::incircle_grid(p[0], p[1], p[2], p[3]);
+    EXPECT_EQ(sign.value_or(0), 0) << re;
+    answered += sign.has_value();
+    rounded += thalweg::detail::rounded_circle(p[0], p[1], p[2], p[3]).det != 0;
+  }
+  EXPECT_GT(answered, 3);
+  EXPECT_GT(rounded, 100);
 }
 
 TEST(PredicateStages, WordsDecideCoordinatesOfAtMostSixtyOneBits) {
