@@ -4,6 +4,6 @@
 
 namespace {
 
-[[maybe_unused]] const int kSeedFixed = setenv("RC_PARAMS", "seed=20090601", /*overwrite=*/0);
+[[maybe_unused]] const int kSeedFixed = setenv("RC_PARAMS", "seed=20090601 max_success=500", /*overwrite=*/0);
 
 }  // namespace
