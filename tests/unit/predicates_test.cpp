@@ -300,6 +300,8 @@ TEST(PredicateStages, GridStopsBeforeTheFirstRounding) {
   EXPECT_GT(rounded, 100);
 }
 
+#if defined(THALWEG_HAS_INT128)
+
 TEST(PredicateStages, WordsDecideCoordinatesOfAtMostSixtyOneBits) {
   using thalweg::detail::incircle_words;
   using thalweg::detail::orient2d_words;
@@ -320,6 +322,8 @@ TEST(PredicateStages, WordsHoldTheirLargestValues) {
   EXPECT_EQ(thalweg::detail::orient2d_words({-m, -m}, {m, -m}, {m, m}), MaybeSign(1));
   EXPECT_EQ(thalweg::detail::orient2d_words({-2 * m, -m}, {m, -m}, {m, m}), std::nullopt) << "out of range";
 }
+
+#endif
 
 TEST(PredicateStages, ExactStageAgreesOnOrdinaryInput) {
   EXPECT_EQ(thalweg::detail::orient2d_exact({0, 0}, {1, 0}, {0, 1}), 1);
