@@ -104,7 +104,7 @@ void check_edges(const Triangulation& mesh, const std::vector<Point2>& points) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Input input(data, size);
-  const std::vector<Point2> points = fuzz::take_points(input, 64);
+  const std::vector<Point2> points = fuzz::take_points(input, 40);
   const auto mesh = thalweg::delaunay(points);
   const int error = mesh ? -1 : static_cast<int>(mesh.error().code);
   fuzz::check(error == expected_error(points), "the error is the right one", points);
