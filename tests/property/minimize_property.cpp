@@ -1,0 +1,234 @@
+/// What must hold for every terrain the library makes: section 2 of the design, one law each.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "support/run.hpp"
+
+namespace {
+
+using support::Cloud;
+using support::minimize;
+using thalweg::Method;
+using thalweg::Minimized;
+
+rc::Gen<unsigned> orders() {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0u, 9u));
+}
+
+Method any_method() {
+  const Method method = *rc::gen::element(Method::delaunay, Method::flip, Method::hull, Method::best);
+  RC_LOG() << "method " << support::method_name(method) << "\n";
+  return method;
+}
+
+std::vector<oracle::Tri> shape(const Minimized& m) {
+  return oracle::normal_form(support::triangles_of(m.triangulation));
+}
+
+RC_GTEST_PROP(MinimizeLaws, TellsTheTruth, ()) {
+  const Cloud cloud = *support::clouds(25);
+  const unsigned k = *orders();
+  const Method method = any_method();
+  const auto lie = support::find_lie(cloud, minimize(cloud, method, k), k);
+  if (lie) RC_FAIL(*lie);
+}
+
+RC_GTEST_PROP(MinimizeLaws, GivesTheRightReasons, ()) {
+  const Cloud cloud = *support::clouds(25);
+  const unsigned k = *orders();
+  const Method method = any_method();
+  const auto wrong = support::find_wrong_reason(cloud, minimize(cloud, method, k), k);
+  if (wrong) RC_FAIL(*wrong);
+}
+
+RC_GTEST_PROP(MinimizeLaws, OrderOfRowsDoesNotMatter, ()) {
+  const Cloud cloud = *support::clouds(40);
+  const unsigned k = *orders();
+  const Method method = any_method();
+  const auto order = support::permutation(cloud.size(), *rc::gen::arbitrary<std::uint64_t>());
+  const Minimized there = minimize(support::permuted(cloud, order), method, k);
+  const Minimized here = minimize(cloud, method, k);
+  std::vector<oracle::Tri> moved = support::triangles_of(here.triangulation);
+  for (oracle::Tri& t : moved) t = {order[t[0]], order[t[1]], order[t[2]]};
+  RC_ASSERT(oracle::normal_form(moved) == shape(there));
+  RC_ASSERT(here.lower_bound == there.lower_bound);
+  RC_ASSERT(here.order_searched == there.order_searched);
+  RC_ASSERT(here.trail.size() == there.trail.size());
+  for (std::size_t i = 0; i < here.trail.size(); ++i) {
+    RC_ASSERT(order[here.trail[i].u.index()] == there.trail[i].u.index());
+    RC_ASSERT(order[here.trail[i].v.index()] == there.trail[i].v.index());
+  }
+}
+
+RC_GTEST_PROP(MinimizeLaws, NumberOfThreadsDoesNotMatter, ()) {
+  const Cloud cloud = *support::clouds(60);
+  const unsigned k = *orders();
+  const Method method = any_method();
+  const Minimized one = minimize(cloud, method, k, 1);
+  for (const unsigned threads : {2u, 3u, 4u, 0u}) {
+    const Minimized many = minimize(cloud, method, k, threads);
+    RC_ASSERT(many.triangulation == one.triangulation);
+    RC_ASSERT(many.face_orders == one.face_orders);
+    RC_ASSERT(many.lower_bound == one.lower_bound);
+    RC_ASSERT(many.circle_counts == one.circle_counts);
+    RC_ASSERT(many.order_searched == one.order_searched);
+    RC_ASSERT(many.trail.size() == one.trail.size());
+  }
+}
+
+RC_GTEST_PROP(MinimizeLaws, LargerOrderIsNeverWorse, ()) {
+  const Cloud cloud = *support::clouds(40);
+  std::map<Method, std::uint32_t> least;
+  for (unsigned k = 0; k <= 8; ++k) {
+    const std::uint32_t flip = minimize(cloud, Method::flip, k).pits.total;
+    const std::uint32_t hull = minimize(cloud, Method::hull, k).pits.total;
+    const Minimized best = minimize(cloud, Method::best, k);
+    RC_LOG() << "order " << k << "\n";
+    RC_ASSERT(best.pits.total <= std::min(flip, hull));
+    if (k > 0) {
+      RC_ASSERT(flip <= least[Method::flip]);
+      RC_ASSERT(hull <= least[Method::hull]);
+      RC_ASSERT(best.pits.total <= least[Method::best]);
+    }
+    least[Method::flip] = flip;
+    least[Method::hull] = hull;
+    least[Method::best] = best.pits.total;
+  }
+}
+
+RC_GTEST_PROP(SweepLaws, IsEveryRunAtOnce, ()) {
+  const Cloud cloud = *support::clouds(30);
+  const unsigned first = *rc::gen::inRange(0u, 4u);
+  const unsigned last = first + *rc::gen::inRange(0u, 5u);
+  const auto sweep = thalweg::sweep_pits(cloud.points, first, last);
+  RC_ASSERT(static_cast<bool>(sweep));
+  RC_ASSERT(sweep->sites == cloud.size());
+  RC_ASSERT(sweep->rows.size() == last - first + 1);
+  for (unsigned k = first; k <= last; ++k) {
+    const thalweg::SweepRow& row = sweep->rows[k - first];
+    const Minimized best = minimize(cloud, Method::best, k);
+    RC_LOG() << "order " << k << "\n";
+    RC_ASSERT(row.order == k);
+    RC_ASSERT(row.flip == minimize(cloud, Method::flip, k).pits.total);
+    RC_ASSERT(row.hull == minimize(cloud, Method::hull, k).pits.total);
+    RC_ASSERT(row.best == best.pits.total);
+    RC_ASSERT(row.lower_bound == best.lower_bound);
+    RC_ASSERT(row.certified == best.certified);
+  }
+}
+
+/// Rows at the same place: the result is that of the merged rows, by each policy.
+RC_GTEST_PROP(DuplicateLaws, AreMergedByThePolicy, ()) {
+  const Cloud cloud = *support::clouds(20);
+  const unsigned k = *orders();
+  std::vector<thalweg::Point3> rows = cloud.points;
+  const auto copies = *rc::gen::container<std::vector<std::pair<int, int>>>(
+      rc::gen::pair(rc::gen::inRange(0, 1000), rc::gen::inRange(-5, 30)));
+  for (const auto& [of, z] : copies) {
+    const auto& p = cloud.points[static_cast<std::size_t>(of) % cloud.points.size()];
+    rows.push_back({p.x, p.y, static_cast<double>(z)});
+  }
+  using Policy = thalweg::DuplicatePolicy;
+  const Policy policy = *rc::gen::element(Policy::lowest, Policy::highest, Policy::first, Policy::last);
+
+  Cloud merged = cloud;
+  for (std::size_t i = cloud.points.size(); i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < cloud.points.size(); ++j) {
+      if (rows[i].x != rows[j].x || rows[i].y != rows[j].y) continue;
+      double& z = merged.points[j].z;
+      if (policy == Policy::lowest) z = std::min(z, rows[i].z);
+      if (policy == Policy::highest) z = std::max(z, rows[i].z);
+      if (policy == Policy::last) z = rows[i].z;
+    }
+  }
+  thalweg::MinimizeOptions options;
+  options.order = k;
+  options.duplicates = policy;
+  const auto result = thalweg::minimize_pits(rows, options);
+  RC_ASSERT(static_cast<bool>(result));
+  RC_ASSERT(result->sites == cloud.size());
+  RC_ASSERT(result->merged.size() == rows.size() - cloud.points.size());
+  RC_ASSERT(result->triangulation.vertex_count() == rows.size());
+
+  std::map<std::pair<double, double>, std::uint32_t> place;
+  for (std::uint32_t j = 0; j < cloud.size(); ++j) place[{rows[j].x, rows[j].y}] = j;
+  const auto place_of = [&](std::uint32_t row) { return place.at({rows[row].x, rows[row].y}); };
+  for (const auto& [gone, stands] : result->merged) {
+    RC_ASSERT(gone != stands);
+    RC_ASSERT(place_of(gone) == place_of(stands));
+    RC_ASSERT(result->triangulation.isolated(support::vertex(gone)));
+    RC_ASSERT(rows[stands].z == merged.points[place_of(stands)].z);
+  }
+  auto triangles = support::triangles_of(result->triangulation);
+  for (oracle::Tri& t : triangles) {
+    for (const std::uint32_t row : t) RC_ASSERT(rows[row].z == merged.points[place_of(row)].z);
+    t = {place_of(t[0]), place_of(t[1]), place_of(t[2])};
+  }
+  RC_ASSERT(oracle::normal_form(triangles) == shape(minimize(merged, Method::best, k)));
+}
+
+/// Moves that are exact change nothing: the library sees signs only.
+RC_GTEST_PROP(MetamorphicLaws, ExactMovesChangeNothing, ()) {
+  const Cloud cloud = *support::clouds(30);
+  const unsigned k = *orders();
+  const Method method = any_method();
+  const Minimized here = minimize(cloud, method, k);
+  const auto same = [&](const Cloud& moved) {
+    const Minimized there = minimize(moved, method, k);
+    return shape(there) == shape(here) && there.pits == here.pits && there.lower_bound == here.lower_bound;
+  };
+
+  Cloud shifted = cloud;
+  const double dx = *rc::gen::inRange(-100000, 100000), dy = 4503599627000000.0;
+  for (auto& p : shifted.points) p = {p.x + dx, p.y + dy, p.z};
+  RC_ASSERT(same(shifted));
+
+  for (const int exponent : {-1074, -500, 3, 1000}) RC_ASSERT(same(support::scaled(cloud, exponent)));
+
+  Cloud raised = cloud;  // any strictly monotone map of elevations
+  for (auto& p : raised.points) p.z = -std::ldexp(1.0, -static_cast<int>(p.z));
+  RC_ASSERT(same(raised));
+  Cloud stretched = cloud;
+  for (auto& p : stretched.points) p.z = 3 * p.z * p.z * p.z - 1e9;
+  RC_ASSERT(same(stretched));
+}
+
+/// A quarter turn keeps the pits of the Delaunay triangulation and the bound where no four sites are
+/// cocircular and no two level: nothing is then decided by ties of coordinates.
+RC_GTEST_PROP(MetamorphicLaws, QuarterTurnInGeneralPosition, ()) {
+  Cloud cloud = *support::clouds(25);
+  std::uint64_t state = *rc::gen::arbitrary<std::uint64_t>();
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    auto& p = cloud.points[i];
+    p = {p.x * 10000 + static_cast<double>((state >> 20) % 9973),
+         p.y * 10000 + static_cast<double>((state >> 40) % 9973), p.z * 1000 + i};
+  }
+  Cloud turned = cloud;
+  for (auto& p : turned.points) p = {-p.y, p.x, p.z};
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    const auto& q = cloud.points;
+    for (std::uint32_t j = 0; j < i; ++j) RC_PRE(q[i].x != q[j].x || q[i].y != q[j].y);
+  }
+  const support::Prepared p(cloud);
+  for (const oracle::Tri& t : support::triangles_of(p.delaunay)) {
+    for (std::uint32_t v = 0; v < cloud.size(); ++v) {
+      if (v == t[0] || v == t[1] || v == t[2]) continue;
+      RC_PRE(oracle::in_circle(p.sites[t[0]], p.sites[t[1]], p.sites[t[2]], p.sites[v]) != 0);
+    }
+  }
+  const unsigned k = *orders();
+  const Method method = any_method();
+  const Minimized here = minimize(cloud, method, k), there = minimize(turned, method, k);
+  RC_ASSERT(here.delaunay_pits == there.delaunay_pits);
+  RC_ASSERT(here.lower_bound == there.lower_bound);
+  RC_ASSERT(here.pits == there.pits);
+  RC_ASSERT(shape(here) == shape(there));
+}
+
+}  // namespace
