@@ -60,6 +60,7 @@ class Builder {
   Part turned(Part part, Axis from, Axis to) const;
 
   Part pair(Index p, Index q, Index slot) const;
+  Part triple(Index p, Index q, Index r, Index slot) const;
   Part merge(const Part& left, const Part& right, Index slot) const;
 
   Point2 at(Index v) const noexcept { return sites_[v]; }
@@ -166,6 +167,7 @@ Part Builder::build_leaf(Index lo, Index hi) const {
 Part Builder::build_sorted(const Index* ids, Index count, Index slot) const {
   if (count == 1) return {.single = ids[0]};
   if (count == 2) return pair(ids[0], ids[1], slot);
+  if (count == 3) return triple(ids[0], ids[1], ids[2], slot);
   const Index half = count / 2;
   const Part left = build_sorted(ids, half, slot);
   const Part right = build_sorted(ids + half, count - half, slot + 2 * half);
@@ -181,6 +183,36 @@ Part Builder::pair(Index p, Index q, Index slot) const {
   link(below + 1, above + 2);
   link(below + 2, above + 1);
   return {.low = below, .high = above};
+}
+
+/// Three sites in lexicographic order: a triangle with three ghosts, or two edges in a row with four.
+Part Builder::triple(Index p, Index q, Index r, Index slot) const {
+  const int turn = orient2d_sign(at(p), at(q), at(r));
+  if (turn == 0) return merge({.single = p}, pair(q, r, slot + 2), slot);
+  const Index a = turn > 0 ? q : r, b = turn > 0 ? r : q;
+  const Index face = 4 * slot, pa = face + 4, ab = face + 8, bp = face + 12;
+  set_corners(slot, p, a, b);
+  set_corners(slot + 1, a, p, kGhost);
+  set_corners(slot + 2, b, a, kGhost);
+  set_corners(slot + 3, p, b, kGhost);
+  link(face, pa);
+  link(face + 1, ab);
+  link(face + 2, bp);
+  link(pa + 1, bp + 2);
+  link(ab + 1, pa + 2);
+  link(bp + 1, ab + 2);
+  return {.low = pa, .high = turn > 0 ? bp : ab};
+}
+
+/// A point seen from another.
+struct Leg {
+  double x, y, square;
+
+  Leg(Point2 from, Point2 to) noexcept : x(to.x - from.x), y(to.y - from.y), square(x * x + y * y) {}
+};
+
+double cross(const Leg& a, const Leg& b) noexcept {
+  return a.x * b.y - a.y * b.x;
 }
 
 /// The growing front between two parts. Its last edge, the base, runs from a on the left to b on the right,
@@ -202,11 +234,22 @@ struct Builder::Seam {
   Index a_next() const noexcept { return mesh.origin(left); }
   Index b_next() const noexcept { return mesh.dest(right); }
 
-  bool above(Index v) const noexcept { return orient2d_sign(at(a), at(b), at(v)) > 0; }
+  /// Whether v is strictly above the base.
+  bool above(const Leg& to_b, const Leg& to_v, double turn, Index v) const noexcept {
+    if (std::fabs(turn) >
+        kOrient2dBound * (std::fabs(to_b.x * to_v.y) + std::fabs(to_b.y * to_v.x)) + kUnderflowMargin) {
+      return turn > 0;
+    }
+    return orient2d_exact(at(a), at(b), at(v)) > 0;
+  }
 
-  /// Whether v, on the side of the triangle a, b, c, is inside its circle. No ghost is.
-  bool inside(Index c, Index v) const noexcept {
-    return v != kGhost && incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
+  /// Whether v is inside the circle of a, b, c.
+  bool inside(const Leg& to_b, const Leg& to_c, double turn, const Leg& to_v, Index c,
+              Index v) const noexcept {
+    const double det = to_b.square * cross(to_c, to_v) + to_c.square * cross(to_v, to_b) + to_v.square * turn;
+    const double size = to_b.square + to_c.square + to_v.square;
+    if (std::fabs(det) > kIncircleBound * (size * size) + kUnderflowMargin) return det < 0;
+    return incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
   }
 
   void drop_left() noexcept;
@@ -271,18 +314,49 @@ void Builder::Seam::take_right() noexcept {
 }
 
 /// Raises the base to the upper common tangent.
+///
+/// Everything is measured from a: `to_b` and so on are differences of coordinates, and their products serve
+/// several tests.
 void Builder::Seam::rise() noexcept {
   for (;;) {
-    const bool left_open = left != kGhost && above(a_next());
-    if (left_open) {
-      while (inside(a_next(), mesh.apex(mesh.twin_[left]))) drop_left();
+    const Leg to_b(at(a), at(b));
+    bool left_open = false, right_open = false;
+    Leg to_c = to_b, to_d = to_b;
+    double turn_c = 0, turn_d = 0;
+    if (left != kGhost) {
+      to_c = Leg(at(a), at(a_next()));
+      turn_c = cross(to_b, to_c);
+      left_open = above(to_b, to_c, turn_c, a_next());
     }
-    const bool right_open = right != kGhost && above(b_next());
+    if (left_open) {
+      for (;;) {
+        const Index v = mesh.apex(mesh.twin_[left]);
+        if (v == kGhost) break;
+        const Leg to_v(at(a), at(v));
+        if (!inside(to_b, to_c, turn_c, to_v, a_next(), v)) break;
+        drop_left();
+        to_c = to_v;
+        turn_c = cross(to_b, to_c);
+      }
+    }
+    if (right != kGhost) {
+      to_d = Leg(at(a), at(b_next()));
+      turn_d = cross(to_b, to_d);
+      right_open = above(to_b, to_d, turn_d, b_next());
+    }
     if (right_open) {
-      while (inside(b_next(), mesh.apex(mesh.twin_[right]))) drop_right();
+      for (;;) {
+        const Index v = mesh.apex(mesh.twin_[right]);
+        if (v == kGhost) break;
+        const Leg to_v(at(a), at(v));
+        if (!inside(to_b, to_d, turn_d, to_v, b_next(), v)) break;
+        drop_right();
+        to_d = to_v;
+        turn_d = cross(to_b, to_d);
+      }
     }
     if (!left_open && !right_open) return;
-    if (!left_open || (right_open && inside(a_next(), b_next()))) {
+    if (!left_open || (right_open && inside(to_b, to_c, turn_c, to_d, a_next(), b_next()))) {
       take_right();
     } else {
       take_left();
