@@ -95,57 +95,48 @@ void radix_sort(std::vector<KeyedRow>& keyed) {
   }
 }
 
-struct Site {
-  Point2 point;
-  std::uint32_t row;    ///< the lowest of its rows
-  std::uint32_t begin;  ///< where its rows begin in the lexicographically sorted cell
-  std::uint32_t end;
-  std::uint32_t key = 0;
-};
-
-/// Orders the distinct sites of one cell, lexicographically sorted before: again by keys if there are many.
-void order_cell(std::span<Site> sites, int level) {
-  if (sites.size() <= kCellSites || level == kKeyLevels) return;
-  {
-    std::vector<Point2> points(sites.size());
-    std::vector<std::uint32_t> keys(sites.size());
-    std::transform(sites.begin(), sites.end(), points.begin(), [](const Site& s) { return s.point; });
-    morton_keys(points, keys);
-    for (std::size_t i = 0; i < sites.size(); ++i) sites[i].key = keys[i];
-  }
-  std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.key < b.key; });
-  for (std::size_t begin = 0, end = 0; begin < sites.size(); begin = end) {
-    while (end < sites.size() && sites[end].key == sites[begin].key) ++end;
-    order_cell(sites.subspan(begin, end - begin), level + 1);
-  }
+/// The number of distinct points among rows that are sorted so that equal points are adjacent.
+std::uint32_t count_distinct(std::span<const std::uint32_t> rows, std::span<const Point2> points) {
+  std::uint32_t distinct = 1;
+  for (std::size_t i = 1; i < rows.size(); ++i) distinct += points[rows[i]] != points[rows[i - 1]];
+  return distinct;
 }
 
-/// Orders rows of equal key. Writes to `starts` where each site begins, counted from `offset`.
-/// Returns the number of distinct sites.
-std::uint32_t order_run(std::span<std::uint32_t> rows, std::span<const Point2> points, std::uint32_t offset,
-                        std::vector<std::uint32_t>& starts) {
-  starts.clear();
+void sort_lexicographically(std::span<std::uint32_t> rows, std::span<const Point2> points) {
   std::sort(rows.begin(), rows.end(), [points](std::uint32_t i, std::uint32_t j) {
     if (lexicographically_less(points[i], points[j])) return true;
     return points[i] == points[j] && i < j;
   });
-  std::vector<Site> sites;
-  for (std::uint32_t i = 0; i < rows.size(); ++i) {
-    if (i == 0 || points[rows[i]] != points[rows[i - 1]]) sites.push_back({points[rows[i]], rows[i], i, i});
-    sites.back().end = i + 1;
+}
+
+/// Orders the rows of one cell: in the cell's own box, cell by cell, if they are many sites, else
+/// lexicographically.
+///
+/// Whether they are many must not depend on duplicates. More different keys than kCellSites prove it cheaply.
+void order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, int level) {
+  if (rows.size() <= kCellSites || level == kKeyLevels) {
+    sort_lexicographically(rows, points);
+    return;
   }
-  if (sites.size() > kCellSites) {
-    order_cell(sites, 1);
-    const std::vector<std::uint32_t> sorted(rows.begin(), rows.end());
-    auto out = rows.begin();
-    for (const Site& s : sites) out = std::copy(sorted.begin() + s.begin, sorted.begin() + s.end, out);
+  std::vector<KeyedRow> keyed(rows.size());
+  {
+    std::vector<Point2> gathered(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) gathered[i] = points[rows[i]];
+    const Grid grid(gathered);
+    for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = KeyedRow{grid.key(gathered[i])} << 32 | rows[i];
   }
-  std::uint32_t start = offset;
-  for (const Site& s : sites) {
-    starts.push_back(start);
-    start += s.end - s.begin;
+  radix_sort(keyed);
+  std::uint32_t different = 1;
+  for (std::size_t i = 1; i < keyed.size(); ++i) different += key_of(keyed[i]) != key_of(keyed[i - 1]);
+  if (different <= kCellSites) {
+    sort_lexicographically(rows, points);
+    if (count_distinct(rows, points) <= kCellSites) return;
   }
-  return static_cast<std::uint32_t>(sites.size());
+  std::transform(keyed.begin(), keyed.end(), rows.begin(), row_of);
+  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
+    while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
+    if (end - begin > 1) order_cell(rows.subspan(begin, end - begin), points, level + 1);
+  }
 }
 
 }  // namespace
@@ -173,26 +164,26 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned) {
   }
   keyed = {};
 
-  // Cells of several points: order them, and from the first duplicate on keep the starts of all sites.
+  // Cells of several points; from the first duplicate on the starts of all sites are kept.
   bool duplicates = false;
-  std::vector<std::uint32_t> starts;
   std::uint32_t sites = 0;
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
     const std::uint32_t key = order.keys[begin];
     for (end = begin + 1; end < count && order.keys[end] == key;) ++end;
-    std::uint32_t distinct = 1;
-    starts.assign(1, begin);
-    if (end - begin > 1) {
-      distinct = order_run(std::span(order.rows).subspan(begin, end - begin), points, begin, starts);
+    const auto rows = std::span(order.rows).subspan(begin, end - begin);
+    if (rows.size() > 1) {
+      order_cell(rows, points, 1);
+      if (!duplicates && count_distinct(rows, points) < rows.size()) {
+        duplicates = true;
+        order.starts.resize(begin);
+        std::iota(order.starts.begin(), order.starts.end(), 0u);
+      }
     }
-    if (distinct < end - begin && !duplicates) {
-      duplicates = true;
-      order.starts.resize(begin);
-      std::iota(order.starts.begin(), order.starts.end(), 0u);
+    for (std::uint32_t i = begin; i < end; ++i) {
+      if (duplicates && i > begin && points[order.rows[i]] == points[order.rows[i - 1]]) continue;
+      if (duplicates) order.starts.push_back(i);
+      order.keys[sites++] = key;
     }
-    if (duplicates) order.starts.insert(order.starts.end(), starts.begin(), starts.end());
-    std::fill_n(order.keys.begin() + sites, distinct, key);
-    sites += distinct;
   }
   order.keys.resize(sites);
   if (duplicates) order.starts.push_back(count);
