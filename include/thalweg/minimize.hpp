@@ -52,8 +52,8 @@ struct RemainingPit {
   std::uint32_t vertices = 1;  ///< how many vertices the pit has
   bool boundary = false;
   PitReason reason = PitReason::unremovable;
-  /// Least useful order of a pair from the pit to strictly lower ground; nothing if there is none at all (the
-  /// lowest pit), or none up to Minimized::order_searched.
+  /// Least useful order of a pair that leads from the pit to lower, or to equal other, ground; nothing if
+  /// there is none at all (the lowest pit), or none up to Minimized::order_searched.
   std::optional<unsigned> order_needed = {};
 };
 

@@ -72,6 +72,7 @@ Triangulation Triangulation::from_arrays(std::vector<std::uint32_t> origin, std:
 
 void Triangulation::set_outgoing() {
   for (std::uint32_t h = 0; h < halfedge_count(); ++h) {
+    if (origin_[h] >= outgoing_.size() || h >= twin_.size()) continue;  // find_fault names it
     std::uint32_t& out = outgoing_[origin_[h]];
     if (out == kNone || twin_[h] == kNone) out = h;
   }

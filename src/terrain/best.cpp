@@ -1,6 +1,7 @@
-/// Choosing among combinations.
+/// The optimum where it can be proved, and the ladder below it.
 #include "terrain/best.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "terrain/changes.hpp"
@@ -23,26 +24,35 @@ void keep_better(const Surface& surface, Outcome& best, Outcome&& other) {
   best.circle_counts = counts;
 }
 
-Outcome best_at(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
+/// The best at k alone.
+Outcome best_at(const Surface& surface, std::span<const Exit> exits, const Plan& plan, unsigned k,
+                const Watch& watch) {
+  std::optional<Outcome> assigned = insert_assignment(surface, plan, k, watch);
+  if (assigned && assigned->pits == plan.bound) return *std::move(assigned);
+
   Outcome best = insert_hulls(surface, exits, k, watch);
   insert_overlapping(surface, exits, k, watch, best);
   if (watch.stopped()) return best;
   Outcome flips = flip_pits(surface, k, watch);
   insert_overlapping(surface, exits, k, watch, flips);
   keep_better(surface, best, std::move(flips));
+  if (assigned) keep_better(surface, best, *std::move(assigned));
   return best;
 }
 
 }  // namespace
 
-Outcome best_pits(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
-  Outcome best = best_at(surface, exits, k, watch);
+Outcome best_pits(const Surface& surface, std::span<const Exit> exits, const Plan& plan, unsigned k,
+                  const Watch& watch) {
+  Outcome best = best_at(surface, exits, plan, k, watch);
   // A smaller order can only win while its bound is below what we have, and the bound grows as the order
   // falls.
   for (unsigned lower = k; lower-- > 0 && !watch.stopped();) {
     const auto within = exits_up_to(exits, lower);
     if (best.pits <= reach_bound(surface, within)) break;
-    Outcome other = best_at(surface, within, lower, watch);
+    const Plan lower_plan = make_plan(surface, within, lower, watch);
+    if (best.pits <= lower_plan.bound) break;
+    Outcome other = best_at(surface, within, lower_plan, lower, watch);
     if (other.pits < best.pits) keep_better(surface, best, std::move(other));
   }
   return best;

@@ -3,8 +3,8 @@
 /// A flip never makes a pit. Let c be the lowest of the corners a, b, c, d and cd replace ab. Only a and b
 /// lose a neighbour, each other, and both keep c, which is no higher: whoever drained to the other, or was
 /// one flat with it, still does or is through c. So the pits can be followed without looking at the
-/// triangulation: only d gains, a neighbour c that is lower (its pit is gone) or level (its pit is gone or
-/// one with the pit of c).
+/// triangulation. If c is lower than d, the pit of d, if any, is gone. If they are level, their flats become
+/// one: two pits make one, and a pit that meets a flat that drains is gone.
 #include "terrain/flip.hpp"
 
 #include <algorithm>
@@ -32,28 +32,27 @@ class PitLedger {
       : surface_(&surface),
         groups_(surface.pits().size()),
         gone_(surface.pits().size(), 0),
-        left_(surface.pits().size()) {}
+        left_(surface.pits().size()) {
+    for (std::uint32_t i = 0; i < left_; ++i) lowest_.push_back(surface.lowest(surface.pits()[i]));
+  }
 
   std::uint32_t left() const noexcept { return left_; }
 
-  /// Records the new edge from d to c, which is lower in elevation order. Returns a vertex of the pit that is
-  /// no more: of d's, which now drains or belongs to c's; invalid if there was none.
+  /// Records the new edge from c to d, of which c is the lower in elevation order. Returns the first vertex
+  /// of the pit that is no more, because it drains or belongs to another one now; invalid if there is none.
   VertexId join(VertexId c, VertexId d) {
-    const std::uint32_t high = alive(d);
-    if (high == Surface::kNoPit) return VertexId();
-    const VertexId name = surface_->lowest(surface_->pits()[high]);
-    if (surface_->z(c) == surface_->z(d)) {
-      const std::uint32_t level = alive(c);
-      if (level == high) return VertexId();
-      if (level != Surface::kNoPit) {
-        groups_.join(high, level);
-        --left_;
-        return name;
-      }
-    }
-    gone_[high] = 1;
+    const std::uint32_t at_d = alive(d);
+    if (surface_->z(c) < surface_->z(d)) return end(at_d);
+    const std::uint32_t at_c = alive(c);
+    if (at_c == at_d) return VertexId();
+    if (at_c == Surface::kNoPit) return end(at_d);
+    if (at_d == Surface::kNoPit) return end(at_c);
+    const VertexId low = lowest_[at_c], high = lowest_[at_d];
+    groups_.join(at_c, at_d);
+    lowest_[groups_.find(at_c)] =
+        std::min(low, high, [&](VertexId u, VertexId v) { return surface_->lower(u, v); });
     --left_;
-    return name;
+    return std::max(low, high, [&](VertexId u, VertexId v) { return surface_->lower(u, v); });
   }
 
  private:
@@ -65,9 +64,17 @@ class PitLedger {
     return gone_[group] != 0 ? Surface::kNoPit : group;
   }
 
+  VertexId end(std::uint32_t group) {
+    if (group == Surface::kNoPit) return VertexId();
+    gone_[group] = 1;
+    --left_;
+    return lowest_[group];
+  }
+
   const Surface* surface_;
   DisjointSets groups_;
   std::vector<std::uint8_t> gone_;
+  std::vector<VertexId> lowest_;  // of each group, at its root
   std::uint32_t left_;
 };
 

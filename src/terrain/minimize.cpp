@@ -8,6 +8,7 @@
 #include "kernel/assert.hpp"
 #include "kernel/delaunay_sites.hpp"
 #include "kernel/parallel.hpp"
+#include "terrain/assign.hpp"
 #include "terrain/best.hpp"
 #include "terrain/changes.hpp"
 #include "terrain/exits.hpp"
@@ -46,15 +47,20 @@ Result<Triangulation> triangulate(const MergedSites& sites, const Watch& watch) 
   return error;
 }
 
-Outcome run_method(const Surface& surface, std::span<const detail::Exit> exits,
-                   const MinimizeOptions& options, const Watch& watch) {
-  switch (options.method) {
+/// The order that matters: no circle through three sites holds more than all the others.
+unsigned effective_order(const Surface& surface, unsigned k) {
+  return static_cast<unsigned>(std::min<std::size_t>(k, surface.sites().size() - 3));
+}
+
+Outcome run_method(const Surface& surface, std::span<const detail::Exit> exits, const detail::Plan& plan,
+                   unsigned k, Method method, const Watch& watch) {
+  switch (method) {
     case Method::flip:
-      return detail::flip_pits(surface, options.order, watch);
+      return detail::flip_pits(surface, k, watch);
     case Method::hull:
-      return detail::insert_hulls(surface, exits, options.order, watch);
+      return detail::insert_hulls(surface, exits, k, watch);
     case Method::best:
-      return detail::best_pits(surface, exits, options.order, watch);
+      return detail::best_pits(surface, exits, plan, k, watch);
     case Method::delaunay:
       break;
   }
@@ -83,26 +89,23 @@ std::vector<RemovedPit> removed_pits(const Surface& surface, const Pits& after) 
 }
 
 /// Everything that is reported about the result, with the vertex ids of the surface.
-void describe(const Surface& surface, const Outcome& outcome, std::span<const detail::Exit> exits,
-              const MinimizeOptions& options, const Watch& watch, Minimized& result) {
+void describe(const Surface& surface, const Outcome& outcome, std::span<const detail::Exit> exits, unsigned k,
+              Method method, const Watch& watch, Minimized& result) {
   const Triangulation& t = outcome.triangulation;
   const Pits after = find_pits(t, surface.z());
   THALWEG_ASSERT(after.size() == outcome.pits);
   result.delaunay_pits = surface.pits().count();
   result.pits = after.count();
-  result.lower_bound = detail::reach_bound(surface, exits);
-  result.certified = result.pits.total == result.lower_bound;
 
   watch.report("explaining", 0);
-  detail::Explained explained =
-      detail::explain_pits(surface, after, exits, options.order, options.method, watch);
+  detail::Explained explained = detail::explain_pits(surface, after, exits, k, method, watch);
   result.remaining = std::move(explained.pits);
   result.order_searched = explained.order_searched;
   result.removed = removed_pits(surface, after);
 
   const std::vector<FaceId> changed = detail::changed_faces(surface, t);
   result.circle_counts = outcome.circle_counts;
-  result.face_orders = detail::orders_after(surface, t, changed, options.order, result.circle_counts);
+  result.face_orders = detail::orders_after(surface, t, changed, k, result.circle_counts);
   const detail::EdgeChanges edges = detail::edge_changes(surface, t, changed);
   result.edges_changed = edges.changed;
   result.non_delaunay_edges = edges.non_delaunay;
@@ -127,6 +130,18 @@ void rename(std::span<const std::uint32_t> row, Minimized& result) {
   }
 }
 
+/// Best and bound at one order of a sweep.
+SweepRow sweep_row(const Surface& surface, std::span<const detail::Exit> all_exits, unsigned k,
+                   const Watch& watch) {
+  const auto exits = detail::exits_up_to(all_exits, k);
+  const detail::Plan plan = detail::make_plan(surface, exits, k, watch);
+  SweepRow row;
+  row.best = detail::best_pits(surface, exits, plan, k, watch).pits;
+  row.lower_bound = plan.bound;
+  row.certified = row.best == row.lower_bound;
+  return row;
+}
+
 }  // namespace
 
 Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOptions& options) {
@@ -148,14 +163,19 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
 
   start = std::chrono::steady_clock::now();
   const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
+  const unsigned k = effective_order(surface, options.order);
   watch.report("searching exits", 0);
-  const std::vector<detail::Exit> exits =
-      detail::find_exits(surface, options.order, watch.threads, options.cancel);
+  const std::vector<detail::Exit> exits = detail::find_exits(surface, k, watch.threads, options.cancel);
+  if (watch.stopped()) return cancelled();
+  watch.report("choosing exits", 0);
+  const detail::Plan plan = detail::make_plan(surface, exits, k, watch);
   if (watch.stopped()) return cancelled();
   watch.report("removing pits", 0);
-  Outcome outcome = run_method(surface, exits, options, watch);
+  Outcome outcome = run_method(surface, exits, plan, k, options.method, watch);
   if (watch.stopped()) return cancelled();
-  describe(surface, outcome, exits, options, watch, result);
+  result.lower_bound = plan.bound;
+  describe(surface, outcome, exits, k, options.method, watch, result);
+  result.certified = result.pits.total == result.lower_bound;
   if (watch.stopped()) return cancelled();
 
   result.trail = std::move(outcome.trail);
@@ -179,19 +199,25 @@ Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigne
   if (!delaunay) return std::move(delaunay).error();
 
   const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
-  const std::vector<detail::Exit> exits = detail::find_exits(surface, last, watch.threads, options.cancel);
+  const unsigned most = effective_order(surface, last);
+  const std::vector<detail::Exit> exits = detail::find_exits(surface, most, watch.threads, options.cancel);
   std::vector<std::uint32_t> hull_pits, flip_pits;
-  static_cast<void>(detail::insert_hulls(surface, exits, last, watch, &hull_pits));
-  static_cast<void>(detail::flip_pits(surface, last, watch, &flip_pits));
+  static_cast<void>(detail::insert_hulls(surface, exits, most, watch, &hull_pits));
+  static_cast<void>(detail::flip_pits(surface, most, watch, &flip_pits));
 
   Sweep sweep;
   sweep.sites = static_cast<std::uint32_t>(surface.sites().size());
   for (unsigned k = first; k <= last && !watch.stopped(); ++k) {
-    const auto within = detail::exits_up_to(exits, k);
-    const std::uint32_t best = detail::best_pits(surface, within, k, watch).pits;
-    const std::uint32_t bound = detail::reach_bound(surface, within);
-    sweep.rows.push_back({k, flip_pits[k], hull_pits[k], best, bound, best == bound});
+    if (k > most && !sweep.rows.empty() && sweep.rows.back().order >= most) {
+      sweep.rows.push_back(sweep.rows.back());
+    } else {
+      sweep.rows.push_back(sweep_row(surface, exits, std::min(k, most), watch));
+      sweep.rows.back().flip = flip_pits[std::min(k, most)];
+      sweep.rows.back().hull = hull_pits[std::min(k, most)];
+    }
+    sweep.rows.back().order = k;
     watch.report("sweeping", static_cast<double>(k - first + 1) / (last - first + 1));
+    if (k == last) break;  // before ++k could overflow
   }
   if (watch.stopped()) return cancelled();
   return sweep;

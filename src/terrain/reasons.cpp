@@ -33,6 +33,21 @@ class KnownExits {
   }
 
  private:
+  /// Whether the list holds all exits of p out of the flat: those out of its Delaunay pit, if the flat has
+  /// all of that. A vertex that has become part of a pit has none in the list, nor has one whose lake was cut
+  /// in two any to the other part.
+  bool exits_known(std::span<const VertexId> flat, VertexId p) {
+    const std::uint32_t pit = surface_.pit_of(p);
+    if (pit == Surface::kNoPit) return false;
+    if (pit != last_pit_ || flat.data() != last_flat_) {
+      last_pit_ = pit;
+      last_flat_ = flat.data();
+      const auto members = surface_.pits()[pit];
+      last_is_whole_ = std::includes(flat.begin(), flat.end(), members.begin(), members.end());
+    }
+    return last_is_whole_;
+  }
+
   bool leads_out(std::span<const VertexId> flat, VertexId p, VertexId q) const {
     return surface_.z(q) < surface_.z(p) ||
            (surface_.z(q) == surface_.z(p) && !std::binary_search(flat.begin(), flat.end(), q));
@@ -64,6 +79,9 @@ class KnownExits {
   unsigned k_;
   std::vector<Exit> by_source_;
   CircleCounter counter_;
+  std::uint32_t last_pit_ = Surface::kNoPit;
+  const VertexId* last_flat_ = nullptr;
+  bool last_is_whole_ = false;
 };
 
 }  // namespace
