@@ -74,13 +74,13 @@ Result<Format> format_of(std::string_view path, std::string_view forced, Directi
   const std::string which = direction == Direction::read ? "can be read" : "can be written";
   const std::string listed = " (" + list_of(direction) + ")";
   if (!forced.empty()) {
-    return Error{ErrorCode::invalid_argument, option + " " + quoted(forced) + " is not a format that " +
+    return Error{ErrorCode::invalid_argument, option + " " + in_quotes(forced) + " is not a format that " +
                                                   which + ": name one of them" + listed};
   }
   if (path == "-") return Error{ErrorCode::invalid_argument, "-: say the format with " + option + listed};
   return Error{ErrorCode::invalid_argument,
                std::string(path) + ": " +
-                   (has_suffix ? quoted(file.substr(dot)) + " is" : std::string("there is")) +
+                   (has_suffix ? in_quotes(file.substr(dot)) + " is" : std::string("there is")) +
                    " no suffix of a format that " + which + ": say the format with " + option + listed};
 }
 

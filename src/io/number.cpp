@@ -96,20 +96,20 @@ std::string describe(NumberFault fault, std::string_view token) {
     case NumberFault::empty:
       return "has no value: fill it in or remove the row";
     case NumberFault::nan:
-      return quoted(token) + " is NaN, not a number: correct or remove it";
+      return in_quotes(token) + " is NaN, not a number: correct or remove it";
     case NumberFault::infinite:
-      return quoted(token) + " is infinite: correct or remove it";
+      return in_quotes(token) + " is infinite: correct or remove it";
     case NumberFault::overflow:
-      return quoted(token) + " is too large for a double: correct or remove it";
+      return in_quotes(token) + " is too large for a double: correct or remove it";
     case NumberFault::decimal_comma:
-      return quoted(token) +
+      return in_quotes(token) +
              " has a decimal comma: write it with a decimal point, and separate columns by ; or tabs";
     default:
-      return quoted(token) + " is not a number: correct or remove it";
+      return in_quotes(token) + " is not a number: correct or remove it";
   }
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   constexpr char kHex[] = "0123456789abcdef";
   std::string out = "\"";

@@ -30,7 +30,7 @@ const char* scan_number(const char* first, const char* last, double& value) noex
 std::string describe(NumberFault fault, std::string_view token);
 
 /// `text` in double quotes, at most 40 bytes of it, with bytes outside printable ASCII as \xNN.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Enough room for any number that put_number writes.
 inline constexpr std::size_t kNumberSize = 32;

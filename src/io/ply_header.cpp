@@ -33,7 +33,7 @@ bool read_type(TextScanner& scanner, PlyType& type) {
       return true;
     }
   }
-  return scanner.fail(quoted(word) +
+  return scanner.fail(in_quotes(word) +
                       " is no type of PLY (char, uchar, short, ushort, int, uint, float, double)");
 }
 
@@ -46,11 +46,11 @@ bool read_format(TextScanner& scanner, std::optional<PlyEncoding>& encoding) {
   } else if (word == "binary_big_endian") {
     encoding = PlyEncoding::big_endian;
   } else {
-    return scanner.fail(quoted(word) +
+    return scanner.fail(in_quotes(word) +
                         " is no format of PLY: ascii, binary_little_endian or binary_big_endian");
   }
   const std::string_view version = scanner.word();
-  return version == "1.0" || scanner.fail("version " + quoted(version) + " of PLY is not known: 1.0 is");
+  return version == "1.0" || scanner.fail("version " + in_quotes(version) + " of PLY is not known: 1.0 is");
 }
 
 bool read_element(TextScanner& scanner, PlyHeader& header) {
@@ -61,7 +61,7 @@ bool read_element(TextScanner& scanner, PlyHeader& header) {
     return false;
   for (const PlyElement& other : header.elements) {
     if (other.name == name)
-      return scanner.fail("a second element " + quoted(name) + ": there may be one of each name");
+      return scanner.fail("a second element " + in_quotes(name) + ": there may be one of each name");
   }
   header.elements.push_back({std::string(name), static_cast<std::uint64_t>(count), {}});
   return true;
@@ -102,7 +102,7 @@ bool read_lines(TextScanner& scanner, PlyHeader& header) {
     } else if (keyword == "property") {
       if (!read_property(scanner, header)) return false;
     } else if (keyword != "obj_info") {
-      return scanner.fail(quoted(keyword) +
+      return scanner.fail(in_quotes(keyword) +
                           " is no keyword of a PLY header: correct it, or end the header by end_header");
     }
   }
@@ -117,7 +117,7 @@ std::optional<Error> find_shortage(const InputFile& input, const PlyHeader& head
     if (element.count > room / least) {
       return input.error(ErrorCode::malformed,
                          "the header promises " + std::to_string(element.count) + " elements " +
-                             quoted(element.name) +
+                             in_quotes(element.name) +
                              ", but the file is too short for them: it is cut short or damaged");
     }
     room -= element.count * least;

@@ -64,7 +64,7 @@ bool read_key(TextScanner& scanner, std::string_view key, GridHeader& header) {
     if (same_word(key, name)) return read_value(scanner, key, *slot);
   }
   return scanner.fail(
-      quoted(key) +
+      in_quotes(key) +
       " is no header of an ESRI ASCII grid (ncols, nrows, xllcorner or xllcenter, yllcorner or "
       "yllcenter, cellsize or dx and dy, NODATA_value): correct it, or say the format with --from");
 }

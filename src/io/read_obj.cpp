@@ -21,14 +21,14 @@ bool read_corner(TextScanner& scanner, std::string_view token, std::uint64_t ver
   std::int64_t number = 0;
   const auto [end, fault] = std::from_chars(token.data(), last, number);
   if (end == token.data() || (end != last && *end != '/')) {
-    return scanner.fail(quoted(token) + " is not the number of a vertex: correct the face");
+    return scanner.fail(in_quotes(token) + " is not the number of a vertex: correct the face");
   }
   const auto count = static_cast<std::int64_t>(vertex_count);
   const bool in_range =
       fault == std::errc() &&
       (number > 0 ? static_cast<std::uint64_t>(number) <= kMostPoints : number < 0 && number >= -count);
   if (!in_range) {
-    return scanner.fail("vertex " + quoted(token) + " does not exist: there are " + std::to_string(count) +
+    return scanner.fail("vertex " + in_quotes(token) + " does not exist: there are " + std::to_string(count) +
                         " so far, numbered from 1");
   }
   vertex = static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);

@@ -295,7 +295,7 @@ std::optional<std::string> find_header_fault(const PlyHeader& header, Faces face
       for (const PlyProperty& property : element.properties) {
         const auto axis = axis_of(property);
         if (axis && property.is_list)
-          return "property " + quoted(property.name) + " of vertices may not be a list";
+          return "property " + in_quotes(property.name) + " of vertices may not be a list";
         if (axis) ++found[*axis];
       }
       if (found[0] != 1 || found[1] != 1 || found[2] != 1)

@@ -82,7 +82,7 @@ Result<Wanted> parse_wanted(std::string_view columns) {
   if (columns.empty()) return wanted;
   const Error bad = {
       ErrorCode::invalid_argument,
-      "--columns " + quoted(columns) +
+      "--columns " + in_quotes(columns) +
           ": give three different columns for x, y, z, by name or by number from 1: --columns 1,2,5"};
   Fields parts;
   split_fields(columns, ',', parts);
@@ -137,7 +137,8 @@ bool is_header(const Fields& fields, const Wanted& wanted) {
 
 std::string list_of(const Fields& fields) {
   std::string out;
-  for (std::size_t i = 0; i < fields.size() && i < 20; ++i) out += (i == 0 ? "" : ", ") + quoted(fields[i]);
+  for (std::size_t i = 0; i < fields.size() && i < 20; ++i)
+    out += (i == 0 ? "" : ", ") + in_quotes(fields[i]);
   return out + (fields.size() > 20 ? ", ..." : "");
 }
 
@@ -152,11 +153,11 @@ Found find_named(const Fields& header, std::string_view wanted_name) {
   for (std::size_t i = 0; i < header.size(); ++i) {
     if (!same_word(header[i], wanted_name)) continue;
     if (found.column)
-      return {std::nullopt, "two columns are called " + quoted(wanted_name) + ": name them by number"};
+      return {std::nullopt, "two columns are called " + in_quotes(wanted_name) + ": name them by number"};
     found.column = i;
   }
   if (!found.column)
-    found.fault = "no column is called " + quoted(wanted_name) + ": there are " + list_of(header);
+    found.fault = "no column is called " + in_quotes(wanted_name) + ": there are " + list_of(header);
   return found;
 }
 
@@ -241,27 +242,30 @@ bool is_comment_or_blank(std::string_view line) noexcept {
 
 void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
   fields.clear();
+  if (line.ends_with('\r')) line.remove_suffix(1);
   const bool by_blanks = delimiter == ' ';
-  const std::string_view blanks = delimiter == '\t' ? std::string_view(" \r") : std::string_view(" \t\r");
-  for (std::size_t at = 0;;) {
+  const std::string_view blanks = delimiter == '\t' ? std::string_view(" ") : std::string_view(" \t");
+  const auto end_of_field = [&](std::size_t from) {
+    return std::min(by_blanks ? line.find_first_of(blanks, from) : line.find(delimiter, from), line.size());
+  };
+  const auto without_blanks = [&](std::size_t first, std::size_t last) {
+    while (first < last && blanks.find(line[first]) != std::string_view::npos) ++first;
+    while (first < last && blanks.find(line[last - 1]) != std::string_view::npos) --last;
+    return line.substr(first, last - first);
+  };
+  for (std::size_t at = 0;; ++at) {
     at = std::min(line.find_first_not_of(blanks, at), line.size());
     if (by_blanks && at == line.size()) return;
-    std::string_view field;
+    const std::size_t start = at;
     if (at < line.size() && line[at] == '"') {
       const std::size_t close = std::min(line.find('"', at + 1), line.size());
-      field = trimmed(line.substr(at + 1, close - at - 1));
-      at = std::min(close + 1, line.size());
-      const std::size_t next = by_blanks ? line.find_first_of(blanks, at) : line.find(delimiter, at);
-      at = std::min(next, line.size());
+      fields.push_back(without_blanks(start + 1, close));
+      at = end_of_field(std::min(close + 1, line.size()));
     } else {
-      const std::size_t next = by_blanks ? line.find_first_of(blanks, at) : line.find(delimiter, at);
-      const std::size_t end = std::min(next, line.size());
-      field = trimmed(line.substr(at, end - at));
-      at = end;
+      at = end_of_field(at);
+      fields.push_back(without_blanks(start, at));
     }
-    fields.push_back(field);
     if (at == line.size()) return;
-    if (!by_blanks) ++at;
   }
 }
 

@@ -84,10 +84,10 @@ bool TextScanner::whole(std::int64_t& value, std::int64_t smallest, std::int64_t
   const auto [end, fault] = std::from_chars(token.data() + (plus ? 1 : 0), last, value);
   if (token.empty()) return fail(std::string(what) + " is missing: the line is too short");
   if (end != last || (fault != std::errc() && fault != std::errc::result_out_of_range)) {
-    return fail(std::string(what) + " " + quoted(token) + " is not a whole number: correct it");
+    return fail(std::string(what) + " " + in_quotes(token) + " is not a whole number: correct it");
   }
   if (fault != std::errc() || value < smallest || value > largest) {
-    return fail(std::string(what) + " " + quoted(token) + " is out of range: it must be between " +
+    return fail(std::string(what) + " " + in_quotes(token) + " is out of range: it must be between " +
                 std::to_string(smallest) + " and " + std::to_string(largest));
   }
   return true;
