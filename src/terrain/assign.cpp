@@ -7,7 +7,6 @@
 
 #include "kernel/assert.hpp"
 #include "kernel/edge_insertion.hpp"
-#include "kernel/sleeve.hpp"
 #include "terrain/changes.hpp"
 
 namespace thalweg::detail {
@@ -55,25 +54,9 @@ class UneasyPairs {
       : surface_(surface), plan_(plan), k_(k), counter_(surface.graph()), work_(surface.delaunay()) {}
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> find() {
-    std::vector<std::pair<FaceId, std::uint32_t>> visits;
-    Sleeve sleeve;
-    for (std::uint32_t e = 0; e < plan_.units.exits.size(); ++e) {
-      const Exit& exit = plan_.units.exits[e].exit;
-      if (work_.joined(exit.from, exit.to)) continue;
-      find_sleeve(work_, surface_.sites(), exit.from, exit.to, sleeve);
-      for (const FaceId f : sleeve.faces) visits.emplace_back(f, e);
-    }
-    std::sort(visits.begin(), visits.end());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting;
-    for (std::size_t i = 0; i < visits.size(); ++i) {
-      for (std::size_t j = i + 1; j < visits.size() && visits[j].first == visits[i].first; ++j) {
-        meeting.emplace_back(visits[i].second, visits[j].second);
-      }
-    }
-    std::sort(meeting.begin(), meeting.end());
-    meeting.erase(std::unique(meeting.begin(), meeting.end()), meeting.end());
-    std::erase_if(meeting, [&](const auto& pair) { return !is_uneasy(pair.first, pair.second); });
-    return meeting;
+    auto pairs = meeting_pairs(surface_, plan_.units.exits);
+    std::erase_if(pairs, [&](const auto& pair) { return !is_uneasy(pair.first, pair.second); });
+    return pairs;
   }
 
  private:

@@ -1,9 +1,10 @@
-/// Crossing pairs by a sweep over extents, decided by exact orientation.
+/// Crossing pairs among exits that pass the same triangles, decided by exact orientation.
 #include "terrain/crossings.hpp"
 
 #include <algorithm>
 
 #include "kernel/predicates_inline.hpp"
+#include "kernel/sleeve.hpp"
 
 namespace thalweg::detail {
 
@@ -12,34 +13,42 @@ bool cross_properly(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
          orient2d_sign(c, d, a) * orient2d_sign(c, d, b) < 0;
 }
 
-Crossings::Crossings(const Surface& surface, std::span<const UnitExit> exits) : count_(exits.size()) {
-  struct Extent {
-    double x_min, x_max, y_min, y_max;
-    std::uint32_t exit;
-  };
-  const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
-  std::vector<Extent> extents;
+std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_pairs(const Surface& surface,
+                                                                   std::span<const UnitExit> exits) {
+  const Triangulation& t = surface.delaunay();
+  std::vector<std::pair<FaceId, std::uint32_t>> visits;
+  Sleeve sleeve;
   for (std::uint32_t i = 0; i < exits.size(); ++i) {
-    const auto [x0, x1] = std::minmax(at(exits[i].exit.from).x, at(exits[i].exit.to).x);
-    const auto [y0, y1] = std::minmax(at(exits[i].exit.from).y, at(exits[i].exit.to).y);
-    extents.push_back({x0, x1, y0, y1, i});
-  }
-  std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
-    return a.x_min != b.x_min ? a.x_min < b.x_min : a.exit < b.exit;
-  });
-  std::vector<Extent> open;  // those that may reach the current one
-  for (const Extent& e : extents) {
-    std::erase_if(open, [&](const Extent& other) { return other.x_max < e.x_min; });
-    for (const Extent& other : open) {
-      if (other.y_max < e.y_min || e.y_max < other.y_min) continue;
-      const Exit &f = exits[e.exit].exit, &g = exits[other.exit].exit;
-      const bool same = f.from == g.to && f.to == g.from;
-      if (same || cross_properly(at(f.from), at(f.to), at(g.from), at(g.to))) {
-        pairs_.emplace_back(e.exit, other.exit);
-        pairs_.emplace_back(other.exit, e.exit);
+    const VertexId p = exits[i].exit.from, q = exits[i].exit.to;
+    if (t.joined(p, q)) {
+      for (const HalfedgeId h : {t.find_halfedge(p, q), t.find_halfedge(q, p)}) {
+        if (h.valid()) visits.emplace_back(Triangulation::face(h), i);
       }
+    } else if (find_sleeve(t, surface.sites(), p, q, sleeve)) {
+      for (const FaceId f : sleeve.faces) visits.emplace_back(f, i);
     }
-    open.push_back(e);
+  }
+  std::sort(visits.begin(), visits.end());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    for (std::size_t j = i + 1; j < visits.size() && visits[j].first == visits[i].first; ++j) {
+      pairs.emplace_back(visits[i].second, visits[j].second);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+Crossings::Crossings(const Surface& surface, std::span<const UnitExit> exits) : count_(exits.size()) {
+  const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+  for (const auto& [i, j] : meeting_pairs(surface, exits)) {
+    const Exit &f = exits[i].exit, &g = exits[j].exit;
+    const bool same = f.from == g.to && f.to == g.from;
+    if (same || cross_properly(at(f.from), at(f.to), at(g.from), at(g.to))) {
+      pairs_.emplace_back(i, j);
+      pairs_.emplace_back(j, i);
+    }
   }
   pack();
 }
