@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace thalweg::oracle {
+namespace oracle::lawson {
 
 __extension__ using Int128 = __int128;
 
@@ -72,7 +72,7 @@ inline IndexTriangle rotated_to_lowest(IndexTriangle t) {
 }
 
 /// The triangles over distinct points; none if all are collinear.
-inline std::set<IndexTriangle> lawson_delaunay(const std::vector<GridPoint>& points) {
+inline std::set<IndexTriangle> delaunay(const std::vector<GridPoint>& points) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return points[i] < points[j]; });
@@ -135,4 +135,4 @@ inline std::set<IndexTriangle> lawson_delaunay(const std::vector<GridPoint>& poi
   return triangles;
 }
 
-}  // namespace thalweg::oracle
+}  // namespace oracle::lawson
