@@ -66,15 +66,14 @@ Result<BuildTargets> check_targets(const BuildOptions& options) {
   if (!options.pits.empty()) pits.paths.push_back(options.pits);
   Result<std::vector<FormattedPath>> pit_files = choose_formats(pits, kPitFormats, "pits");
   if (!pit_files) return pit_files.error();
-  std::vector<NamedPath> named;
-  for (const std::string& path : options.outputs.paths) named.push_back({"-o", path});
+  std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
   if (!options.pits.empty()) named.push_back({"--pits", options.pits});
-  if (!options.run.json.empty()) named.push_back({"--json", options.run.json});
   if (auto error = check_outputs(named, std::span(&options.points, 1), options.run.overwrite)) return *error;
   return BuildTargets{std::move(*meshes), std::move(*pit_files)};
 }
 
-void explain_memory(const BuildOptions& options, std::uint64_t points, Console& console) {
+/// Tells the memory that is needed, and refuses what --max-memory forbids.
+std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t points, Console& console) {
   const std::uint64_t needed = estimate_build_memory(points);
   const std::uint64_t machine = machine_memory_bytes();
   console.detail(options.points + ": " + counted(points, "point", "points") + ", about " +
@@ -83,6 +82,9 @@ void explain_memory(const BuildOptions& options, std::uint64_t points, Console& 
     console.warn("about " + format_bytes(needed) + " of memory is needed and this machine has " +
                  format_bytes(machine) + ": cut the points into tiles if it does not suffice");
   }
+  const auto refusal = over_limit(points, options.max_memory);
+  if (!refusal) return std::nullopt;
+  return console.fail(ExitCode::resources, options.points + ": " + *refusal);
 }
 
 MinimizeOptions minimize_options(const BuildOptions& options, Console& console) {
@@ -96,11 +98,11 @@ MinimizeOptions minimize_options(const BuildOptions& options, Console& console) 
   return minimize;
 }
 
-std::vector<io::PitFeature> pit_features(const CompactMesh& mesh, const Minimized& result) {
+std::vector<io::PitFeature> pit_features(const VertexMap& vertices, const Minimized& result) {
   std::vector<io::PitFeature> features;
-  const auto feature = [&mesh](VertexId row) {
-    const std::uint32_t vertex = mesh.vertex_of_row[row.index()];
-    const Point3& p = mesh.points[vertex];
+  const auto feature = [&vertices](VertexId row) {
+    const std::uint32_t vertex = vertices.vertex_of_row[row.index()];
+    const Point3& p = vertices.points[vertex];
     io::PitFeature made;
     made.x = p.x;
     made.y = p.y;
@@ -126,21 +128,37 @@ std::vector<io::PitFeature> pit_features(const CompactMesh& mesh, const Minimize
   return features;
 }
 
-std::optional<Error> add_data(OutputBatch& batch, const BuildTargets& targets, const CompactMesh& mesh,
-                              const Minimized& result, const std::string& crs) {
-  for (const FormattedPath& target : targets.meshes) {
-    const io::MeshView view = view_of(mesh, result, crs);
-    auto error = batch.add(target.path,
-                           [&](io::OutputFile& file) { return io::write_mesh(file, view, target.format); });
-    if (error) return error;
+/// Meshes and pits into the batch.
+std::optional<Error> add_data(OutputBatch& batch, const BuildTargets& targets, const io::PointTable& table,
+                              const VertexMap& vertices, const Minimized& result) {
+  if (!targets.meshes.empty()) {
+    const CompactMesh mesh = compact(table.points, vertices, result);
+    const io::MeshView view = view_of(vertices, mesh, result, table.crs);
+    for (const FormattedPath& target : targets.meshes) {
+      const auto write = [&](io::OutputFile& file) { return io::write_mesh(file, view, target.format); };
+      if (auto error = batch.add(target.path, write)) return error;
+    }
   }
   for (const FormattedPath& target : targets.pits) {
-    const std::vector<io::PitFeature> features = pit_features(mesh, result);
-    auto error = batch.add(
-        target.path, [&](io::OutputFile& file) { return io::write_pits(file, features, target.format); });
-    if (error) return error;
+    const std::vector<io::PitFeature> features = pit_features(vertices, result);
+    const auto write = [&](io::OutputFile& file) { return io::write_pits(file, features, target.format); };
+    if (auto error = batch.add(target.path, write)) return error;
   }
   return std::nullopt;
+}
+
+/// All outputs, the summary last, because it tells how long the others took.
+std::optional<Error> write_outputs(const BuildOptions& options, const BuildTargets& targets,
+                                   const io::PointTable& table, BuildReport& report, Stopwatch& watch) {
+  const WritingOutputs guard;
+  OutputBatch batch(options.run.output());
+  if (auto error = add_data(batch, targets, table, *report.vertices, *report.result)) return error;
+  report.seconds_write = watch.lap();
+  report.seconds_total = watch.total();
+  if (!options.run.json.empty()) {
+    if (auto error = batch.add(options.run.json, write_text(to_text(summarize(report))))) return error;
+  }
+  return batch.commit();
 }
 
 ExitCode finish(const BuildOptions& options, const BuildReport& report, const BuildTargets& targets,
@@ -171,31 +189,17 @@ ExitCode run_build(const BuildOptions& options, Console& console) {
   if (!table) return console.fail(table.error());
   report.points = table->points.size();
   report.seconds_read = watch.lap();
-  explain_memory(options, report.points, console);
-  if (const auto message = over_limit(report.points, options.max_memory)) {
-    return console.fail(ExitCode::resources, options.points + ": " + *message);
-  }
+  if (const auto refused = check_memory(options, report.points, console)) return *refused;
 
   const Result<Minimized> result = minimize_pits(table->points, minimize_options(options, console));
   if (!result) return console.fail(blame(options.points, result.error()));
   warn_of_duplicates(console, options.points, result->merged.size(), options.duplicates);
-  const CompactMesh mesh = compact(table->points, *result);
-  report.result = &*result;
-  report.mesh = &mesh;
-
   watch.lap();
   console.progress("writing", 0);
-  const WritingOutputs guard;
-  OutputBatch batch(options.run.output());
-  if (auto error = add_data(batch, *targets, mesh, *result, table->crs)) return console.fail(*error);
-  report.seconds_write = watch.lap();
-  report.seconds_total = watch.total();
-  if (!options.run.json.empty()) {
-    if (auto error = batch.add(options.run.json, write_text(to_text(summarize(report))))) {
-      return console.fail(*error);
-    }
-  }
-  if (auto error = batch.commit()) return console.fail(*error);
+  const VertexMap vertices = map_vertices(table->points, *result);
+  report.result = &*result;
+  report.vertices = &vertices;
+  if (auto error = write_outputs(options, *targets, *table, report, watch)) return console.fail(*error);
   return finish(options, report, *targets, console);
 }
 

@@ -58,7 +58,7 @@ struct Findings {
   std::vector<Fault> faults;
   std::optional<Soundness> sound;
   std::optional<PointDifferences> differences;
-  std::vector<std::string> failures;  ///< why the exit code is 4
+  std::vector<std::string> failures;  ///< why the exit code is 4, if it is
 };
 
 std::uint64_t count_non_delaunay(const Triangulation& mesh, std::span<const Point2> sites) {
@@ -193,58 +193,84 @@ void describe(const CheckOptions& options, const io::MeshFile& file, const Findi
   }
 }
 
-ExitCode run_check(const CheckOptions& options, Console& console) {
-  console.configure(options.run.bar, options.run.quiet, options.run.verbose);
-  std::vector<NamedPath> outputs;
-  if (!options.run.json.empty()) outputs.push_back({"--json", options.run.json});
-  const std::vector<std::string> inputs = {options.mesh, options.points};
-  if (auto error = check_outputs(outputs, inputs, options.run.overwrite)) return console.fail(*error);
-  if (options.mesh == "-" && options.points == "-") {
-    return console.fail(ExitCode::usage,
-                        "the mesh and --points cannot both be stdin: give one of them a file");
-  }
-  Stopwatch watch;
-  InputOptions mesh_input;
-  mesh_input.from = options.input.from;
-  const Result<io::MeshFile> file = io::read_mesh(options.mesh, mesh_input.reader(options.run));
-  if (!file) return console.fail(file.error());
+struct CheckInput {
+  io::MeshFile mesh;
+  std::optional<io::PointTable> points;
+};
+
+/// --from is about the mesh, --columns and --nodata are about --points.
+Result<CheckInput> read_input(const CheckOptions& options) {
+  InputOptions mesh_options;
+  mesh_options.from = options.input.from;
+  Result<io::MeshFile> mesh = io::read_mesh(options.mesh, mesh_options.reader(options.run));
+  if (!mesh) return mesh.error();
+  CheckInput input{std::move(*mesh), std::nullopt};
+  if (options.points.empty()) return input;
+  InputOptions point_options = options.input;
+  point_options.from.clear();
+  Result<io::PointTable> points = io::read_points(options.points, point_options.reader(options.run));
+  if (!points) return points.error();
+  input.points = std::move(*points);
+  return input;
+}
+
+Result<Findings> examine(const CheckOptions& options, const CheckInput& input, Console& console) {
+  const Error cancelled{ErrorCode::cancelled, "interrupted"};
+  const std::vector<Point2> sites = places_of(input.mesh.points);
   Findings findings;
-  InputOptions point_input = options.input;
-  point_input.from.clear();  // --from is the mesh's
-  std::optional<Result<io::PointTable>> points;
-  if (!options.points.empty()) {
-    points = io::read_points(options.points, point_input.reader(options.run));
-    if (!*points) return console.fail(points->error());
-  }
-  const double seconds_read = watch.lap();
   console.progress("checking the triangles", 0);
-  const std::vector<Point2> sites = places_of(file->points);
-  findings.faults = find_faults(sites, file->triangles);
-  if (interrupted()) return console.fail({ErrorCode::cancelled, ""});
-  console.progress("counting orders", 0.3);
+  findings.faults = find_faults(sites, input.mesh.triangles);
+  if (interrupted()) return cancelled;
   if (findings.faults.empty()) {
-    Result<Soundness> sound = measure(*file, sites, options.run.threads);
-    if (!sound) return console.fail(blame(options.mesh, sound.error()));
+    console.progress("counting orders", 0.3);
+    Result<Soundness> sound = measure(input.mesh, sites, options.run.threads);
+    if (!sound) return blame(options.mesh, sound.error());
     findings.sound = std::move(*sound);
   }
-  if (points) findings.differences = compare_points(file->points, (*points)->points);
-  if (interrupted()) return console.fail({ErrorCode::cancelled, ""});
+  if (interrupted()) return cancelled;
+  if (input.points) findings.differences = compare_points(input.mesh.points, input.points->points);
   findings.failures = failures_of(options, findings);
+  return findings;
+}
 
-  const WritingOutputs guard;
-  if (!options.run.json.empty()) {
-    Json summary = summarize(options, *file, findings);
-    summary["seconds"] = {{"read", seconds_read}, {"check", watch.lap()}, {"total", watch.total()}};
-    summary["peak_memory_bytes"] = peak_memory_bytes();
-    OutputBatch batch(options.run.output());
-    if (auto error = batch.add(options.run.json, write_text(to_text(summary)))) return console.fail(*error);
-    if (auto error = batch.commit()) return console.fail(*error);
+std::optional<Error> check_arguments(const CheckOptions& options) {
+  if (options.mesh == "-" && options.points == "-") {
+    return Error{ErrorCode::invalid_argument,
+                 "MESH and --points cannot both be stdin: give one of them a file"};
   }
-  describe(options, *file, findings, console);
-  for (const std::string& failure : findings.failures) {
+  const std::vector<std::string> inputs = {options.mesh, options.points};
+  return check_outputs(named_outputs({}, options.run), inputs, options.run.overwrite);
+}
+
+std::optional<Error> write_summary(const CheckOptions& options, const Json& summary) {
+  if (options.run.json.empty()) return std::nullopt;
+  const WritingOutputs guard;
+  OutputBatch batch(options.run.output());
+  if (auto error = batch.add(options.run.json, write_text(to_text(summary)))) return error;
+  return batch.commit();
+}
+
+ExitCode run_check(const CheckOptions& options, Console& console) {
+  console.configure(options.run.bar, options.run.quiet, options.run.verbose);
+  if (auto error = check_arguments(options)) return console.fail(*error);
+  Stopwatch watch;
+  console.progress("reading", 0);
+  const Result<CheckInput> input = read_input(options);
+  if (!input) return console.fail(input.error());
+  const double seconds_read = watch.lap();
+  const Result<Findings> findings = examine(options, *input, console);
+  if (!findings) return console.fail(findings.error());
+  const double seconds_check = watch.lap();
+
+  Json summary = summarize(options, input->mesh, *findings);
+  summary["seconds"] = {{"read", seconds_read}, {"check", seconds_check}, {"total", watch.total()}};
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  if (auto error = write_summary(options, summary)) return console.fail(*error);
+  describe(options, input->mesh, *findings, console);
+  for (const std::string& failure : findings->failures) {
     console.fail(ExitCode::verification, options.mesh + ": " + failure);
   }
-  return findings.failures.empty() ? ExitCode::done : ExitCode::verification;
+  return findings->failures.empty() ? ExitCode::done : ExitCode::verification;
 }
 
 }  // namespace

@@ -13,18 +13,26 @@
 
 namespace thalweg::cli {
 
-struct CompactMesh {
-  std::vector<Point3> points;
-  std::vector<io::IndexTriangle> triangles;
-  std::vector<std::uint8_t> pit;             ///< one a vertex: 1 if it is on a pit
-  std::vector<std::uint32_t> vertex_of_row;  ///< where a row went; meaningless for merged rows
+/// Where the rows went.
+struct VertexMap {
+  std::vector<std::uint32_t> vertex_of_row;  ///< meaningless for merged rows
+  std::vector<Point3> points;                ///< of the vertices
 };
 
-/// The mesh of `result` over `rows`; elevations are the rows' own, but for the means of
+/// The vertices of `result` over `rows`; elevations are the rows' own, but for the means of
 /// DuplicatePolicy::mean.
-CompactMesh compact(std::span<const Point3> rows, const Minimized& result);
+VertexMap map_vertices(std::span<const Point3> rows, const Minimized& result);
 
-/// The view of it that writers take. Requires: both outlive the view.
-io::MeshView view_of(const CompactMesh& mesh, const Minimized& result, const std::string& crs);
+/// What a mesh file holds beside the vertices.
+struct CompactMesh {
+  std::vector<io::IndexTriangle> triangles;
+  std::vector<std::uint8_t> pit;  ///< one a vertex: 1 if it is on a pit
+};
+
+CompactMesh compact(std::span<const Point3> rows, const VertexMap& vertices, const Minimized& result);
+
+/// The view of it that writers take. Requires: all outlive the view.
+io::MeshView view_of(const VertexMap& vertices, const CompactMesh& mesh, const Minimized& result,
+                     const std::string& crs);
 
 }  // namespace thalweg::cli

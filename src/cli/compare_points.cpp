@@ -19,7 +19,13 @@ std::string to_text(double value) {
 }
 
 std::string to_text(const Point3& p) {
-  return "(" + to_text(p.x) + ", " + to_text(p.y) + ", " + to_text(p.z) + ")";
+  std::string text("(");
+  return text.append(to_text(p.x))
+      .append(", ")
+      .append(to_text(p.y))
+      .append(", ")
+      .append(to_text(p.z))
+      .append(")");
 }
 
 bool same_place(const Point3& a, const Point3& b) noexcept {

@@ -56,13 +56,12 @@ std::optional<Error> write_pairs(io::OutputFile& file, std::span<const UsefulPai
   return file.error();
 }
 
-std::vector<std::uint64_t> count_by_order(std::span<const UsefulPair> pairs, unsigned most) {
-  std::vector<std::uint64_t> counts;
-  for (const UsefulPair& pair : pairs) {
-    if (pair.order >= counts.size()) counts.resize(std::size_t{pair.order} + 1, 0);
-    if (pair.order <= most) ++counts[pair.order];
-  }
-  return counts;
+/// How many pairs have each useful order, from 0 to the largest.
+std::vector<std::uint64_t> order_histogram(std::span<const UsefulPair> pairs) {
+  std::vector<std::uint32_t> orders;
+  orders.reserve(pairs.size());
+  for (const UsefulPair& pair : pairs) orders.push_back(pair.order);
+  return cli::order_histogram(orders);
 }
 
 /// Merged rows are isolated in it, and every other vertex is the row that the policy keeps.
@@ -77,70 +76,106 @@ Result<Minimized> triangulate(const EdgesOptions& options, std::span<const Point
   return minimize_pits(points, minimize);
 }
 
+/// What there is to tell of a run.
+struct EdgesReport {
+  std::uint64_t points = 0;
+  std::uint64_t sites = 0;
+  std::uint64_t merged = 0;
+  std::uint64_t pairs = 0;
+  std::vector<std::uint64_t> histogram;
+  double seconds_read = 0;
+  double seconds_delaunay = 0;
+  double seconds_edges = 0;
+  double seconds_write = 0;
+  double seconds_total = 0;
+};
+
+std::vector<UsefulPair> find_pairs(const EdgesOptions& options, std::span<const Point3> points,
+                                   const Triangulation& delaunay) {
+  std::vector<Point2> sites;
+  sites.reserve(points.size());
+  for (const Point3& p : points) sites.push_back({p.x, p.y});
+  const DelaunayGraph graph(sites, delaunay);
+  return useful_pairs(graph, options.order, options.run.threads);
+}
+
+Json summarize(const EdgesOptions& options, const EdgesReport& report) {
+  Json summary = new_summary();
+  summary["input"] = {{"file", options.points},
+                      {"points", report.points},
+                      {"vertices", report.sites},
+                      {"duplicates", report.merged},
+                      {"policy", name_of(options.duplicates)}};
+  summary["parameters"] = {{"order", options.order}, {"threads", thread_count(options.run.threads)}};
+  summary["edges"] = {{"total", report.pairs}, {"order_histogram", report.histogram}};
+  summary["seconds"] = {{"read", report.seconds_read},
+                        {"delaunay", report.seconds_delaunay},
+                        {"edges", report.seconds_edges},
+                        {"write", report.seconds_write},
+                        {"total", report.seconds_total}};
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  return summary;
+}
+
+void describe(const EdgesOptions& options, const EdgesReport& report, Console& console) {
+  std::string by_order;
+  for (const std::uint64_t count : report.histogram) by_order.append(" ").append(std::to_string(count));
+  console.note(options.points + ": " + counted(report.pairs, "pair", "pairs") + " of useful order at most " +
+               std::to_string(options.order) + " over " + counted(report.sites, "site", "sites") +
+               "; of order 0, 1, ...:" + by_order);
+  console.detail("  time       " + format_fixed(report.seconds_total, 2) + " s, peak memory " +
+                 format_bytes(peak_memory_bytes()));
+}
+
+std::optional<Error> write_outputs(const EdgesOptions& options, std::span<const FormattedPath> targets,
+                                   std::span<const UsefulPair> pairs, EdgesReport& report, Stopwatch& watch) {
+  const WritingOutputs guard;
+  OutputBatch batch(options.run.output());
+  for (const FormattedPath& target : targets) {
+    const auto write = [&](io::OutputFile& file) { return write_pairs(file, pairs); };
+    if (auto error = batch.add(target.path, write)) return error;
+  }
+  report.seconds_write = watch.lap();
+  report.seconds_total = watch.total();
+  if (!options.run.json.empty()) {
+    if (auto error = batch.add(options.run.json, write_text(to_text(summarize(options, report)))))
+      return error;
+  }
+  return batch.commit();
+}
+
 ExitCode run_edges(const EdgesOptions& options, Console& console) {
   console.configure(options.run.bar, options.run.quiet, options.run.verbose);
   constexpr std::array kFormats = {io::Format::csv};
   const Result<std::vector<FormattedPath>> targets =
       choose_formats(options.outputs, kFormats, "a list of pairs");
   if (!targets) return console.fail(targets.error());
-  std::vector<NamedPath> named;
-  for (const FormattedPath& target : *targets) named.push_back({"-o", target.path});
-  if (!options.run.json.empty()) named.push_back({"--json", options.run.json});
+  const std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
   if (auto error = check_outputs(named, std::span(&options.points, 1), options.run.overwrite)) {
     return console.fail(*error);
   }
   Stopwatch watch;
+  EdgesReport report;
   const Result<io::PointTable> table = load_points(options.points, options.input, options.run, console);
   if (!table) return console.fail(table.error());
-  const double seconds_read = watch.lap();
+  report.points = table->points.size();
+  report.seconds_read = watch.lap();
+
   const Result<Minimized> delaunay = triangulate(options, table->points, console);
   if (!delaunay) return console.fail(blame(options.points, delaunay.error()));
   warn_of_duplicates(console, options.points, delaunay->merged.size(), options.duplicates);
-  const double seconds_delaunay = watch.lap();
+  report.sites = delaunay->sites;
+  report.merged = delaunay->merged.size();
+  report.seconds_delaunay = watch.lap();
 
   console.progress("searching pairs", 0);
-  std::vector<Point2> sites;
-  sites.reserve(table->points.size());
-  for (const Point3& p : table->points) sites.push_back({p.x, p.y});
-  const DelaunayGraph graph(sites, delaunay->triangulation);
-  const std::vector<UsefulPair> pairs = useful_pairs(graph, options.order, options.run.threads);
-  const std::vector<std::uint64_t> counts = count_by_order(pairs, options.order);
-  const double seconds_edges = watch.lap();
-  if (interrupted()) return console.fail({ErrorCode::cancelled, ""});
-
-  const WritingOutputs guard;
-  OutputBatch batch(options.run.output());
-  for (const FormattedPath& target : *targets) {
-    auto error = batch.add(target.path, [&](io::OutputFile& file) { return write_pairs(file, pairs); });
-    if (error) return console.fail(*error);
-  }
-  const double seconds_write = watch.lap();
-  if (!options.run.json.empty()) {
-    Json summary = new_summary();
-    summary["input"] = {{"file", options.points},
-                        {"points", table->points.size()},
-                        {"vertices", delaunay->sites},
-                        {"duplicates", delaunay->merged.size()},
-                        {"policy", name_of(options.duplicates)}};
-    summary["parameters"] = {{"order", options.order}, {"threads", thread_count(options.run.threads)}};
-    summary["edges"] = {{"total", pairs.size()}, {"order_histogram", counts}};
-    summary["seconds"] = {{"read", seconds_read},
-                          {"delaunay", seconds_delaunay},
-                          {"edges", seconds_edges},
-                          {"write", seconds_write},
-                          {"total", watch.total()}};
-    summary["peak_memory_bytes"] = peak_memory_bytes();
-    if (auto error = batch.add(options.run.json, write_text(to_text(summary)))) return console.fail(*error);
-  }
-  if (auto error = batch.commit()) return console.fail(*error);
-
-  std::string by_order;
-  for (const std::uint64_t count : counts) by_order += " " + std::to_string(count);
-  console.note(options.points + ": " + counted(pairs.size(), "pair", "pairs") + " of useful order at most " +
-               std::to_string(options.order) + " over " + counted(delaunay->sites, "site", "sites") +
-               "; of order 0, 1, ...:" + by_order);
-  console.detail("  time       " + format_fixed(watch.total(), 2) + " s, peak memory " +
-                 format_bytes(peak_memory_bytes()));
+  const std::vector<UsefulPair> pairs = find_pairs(options, table->points, delaunay->triangulation);
+  if (interrupted()) return console.fail({ErrorCode::cancelled, "interrupted"});
+  report.pairs = pairs.size();
+  report.histogram = order_histogram(pairs);
+  report.seconds_edges = watch.lap();
+  if (auto error = write_outputs(options, *targets, pairs, report, watch)) return console.fail(*error);
+  describe(options, report, console);
   return ExitCode::done;
 }
 

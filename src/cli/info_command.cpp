@@ -207,8 +207,9 @@ void describe(const InfoOptions& options, const FileFacts& facts, Console& conso
                  std::to_string(facts.grid->rows) + " rows, cells of " + to_text(facts.grid->dx) + " by " +
                  to_text(facts.grid->dy));
   }
-  console.note("  points      " + std::to_string(points.points) + ", " +
-               counted(facts.skipped_nodata, "more without data", "more without data"));
+  const std::string skipped =
+      facts.skipped_nodata == 0 ? "" : "; without data: " + std::to_string(facts.skipped_nodata);
+  console.note("  points      " + std::to_string(points.points) + skipped);
   console.note("  sites       " + std::to_string(points.sites) +
                "; duplicates: " + std::to_string(points.exact_duplicates) + " exact, " +
                std::to_string(points.other_z) + " with another elevation");
@@ -229,15 +230,14 @@ void describe(const InfoOptions& options, const FileFacts& facts, Console& conso
 
 ExitCode run_info(const InfoOptions& options, Console& console) {
   console.configure(options.run.bar, options.run.quiet, options.run.verbose);
-  std::vector<NamedPath> outputs;
-  if (!options.run.json.empty()) outputs.push_back({"--json", options.run.json});
+  const std::vector<NamedPath> outputs = named_outputs({}, options.run);
   if (auto error = check_outputs(outputs, std::span(&options.file, 1), options.run.overwrite)) {
     return console.fail(*error);
   }
   console.progress("reading", 0);
   const Result<FileFacts> facts = read_facts(options);
   if (!facts) return console.fail(facts.error());
-  if (interrupted()) return console.fail({ErrorCode::cancelled, ""});
+  if (interrupted()) return console.fail({ErrorCode::cancelled, "interrupted"});
   if (!options.run.json.empty()) {
     const WritingOutputs guard;
     OutputBatch batch(options.run.output());

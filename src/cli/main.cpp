@@ -53,6 +53,15 @@ std::string unknown_command(const std::string& word, const std::vector<Command>&
   return message;
 }
 
+/// The first option that nobody knows; empty if there is none. It explains more than what may be missing for
+/// it.
+std::string unknown_option(const CLI::App& root) {
+  for (const std::string& word : root.remaining(true)) {
+    if (word.size() > 1 && word.front() == '-') return word;
+  }
+  return {};
+}
+
 ExitCode usage_error(Console& console, const CLI::App& root, const std::string& message) {
   std::string called = "thalweg";
   for (const CLI::App* command : root.get_subcommands()) called += " " + command->get_name();
@@ -80,7 +89,8 @@ ExitCode run(int argc, char** argv, Console& console) {
   } catch (const CLI::CallForVersion&) {
     return print(version_line());
   } catch (const CLI::ParseError& error) {
-    return usage_error(console, root, error.what());
+    const std::string unknown = unknown_option(root);
+    return usage_error(console, root, unknown.empty() ? error.what() : "unknown option " + unknown);
   }
   for (const Command& command : commands) {
     if (command.app->parsed()) return command.run(console);

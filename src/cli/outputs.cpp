@@ -47,6 +47,13 @@ std::string list_of(std::span<const io::Format> formats) {
 
 }  // namespace
 
+std::vector<NamedPath> named_outputs(const OutputPaths& data, const RunOptions& run) {
+  std::vector<NamedPath> named;
+  for (const std::string& path : data.paths) named.push_back({"-o", path});
+  if (!run.json.empty()) named.push_back({"--json", run.json});
+  return named;
+}
+
 std::optional<Error> check_outputs(std::span<const NamedPath> outputs, std::span<const std::string> inputs,
                                    bool overwrite) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -21,6 +21,9 @@ struct NamedPath {
   std::string path;
 };
 
+/// Every output of a command: -o, then --json if there is one.
+std::vector<NamedPath> named_outputs(const OutputPaths& data, const RunOptions& run);
+
 /// Nothing, or what keeps these outputs from being written: two of them are one file or both stdout, one is
 /// an input, one exists and may not be replaced, one cannot be created. Touches nothing.
 std::optional<Error> check_outputs(std::span<const NamedPath> outputs, std::span<const std::string> inputs,

@@ -12,7 +12,7 @@ namespace thalweg::cli {
 namespace {
 
 const char* shown(const std::string& path) {
-  return path == "-" ? "stdin" : path.c_str();
+  return path == "-" ? "<stdin>" : path.c_str();
 }
 
 void warn_of_degrees(Console& console, const std::string& path, const io::PointTable& table) {

@@ -62,22 +62,39 @@ std::vector<Point3> draw(const io::Grid& grid, std::uint64_t cells, std::uint64_
   return points;
 }
 
+std::optional<Error> write_outputs(const SampleOptions& options, std::span<const FormattedPath> targets,
+                                   const io::Grid& grid, std::uint64_t cells,
+                                   std::span<const Point3> points) {
+  const WritingOutputs guard;
+  OutputBatch batch(options.run.output());
+  for (const FormattedPath& target : targets) {
+    const auto write = [&](io::OutputFile& file) { return io::write_points(file, points, target.format); };
+    if (auto error = batch.add(target.path, write)) return error;
+  }
+  if (!options.run.json.empty()) {
+    Json summary = new_summary();
+    summary["input"] = {
+        {"file", options.grid}, {"columns", grid.columns}, {"rows", grid.rows}, {"cells_with_data", cells}};
+    summary["parameters"] = {{"count", options.count}, {"seed", options.seed}};
+    summary["peak_memory_bytes"] = peak_memory_bytes();
+    if (auto error = batch.add(options.run.json, write_text(to_text(summary)))) return error;
+  }
+  return batch.commit();
+}
+
 ExitCode run_sample(const SampleOptions& options, Console& console) {
   console.configure(options.run.bar, options.run.quiet, options.run.verbose);
   constexpr std::array kFormats = {io::Format::xyz, io::Format::csv, io::Format::tsv};
   const Result<std::vector<FormattedPath>> targets = choose_formats(options.outputs, kFormats, "points");
   if (!targets) return console.fail(targets.error());
-  std::vector<NamedPath> named;
-  for (const FormattedPath& target : *targets) named.push_back({"-o", target.path});
-  if (!options.run.json.empty()) named.push_back({"--json", options.run.json});
+  const std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
   if (auto error = check_outputs(named, std::span(&options.grid, 1), options.run.overwrite)) {
     return console.fail(*error);
   }
-  Stopwatch watch;
   console.progress("reading", 0);
   const Result<io::Grid> grid = io::read_grid(options.grid, options.input.reader(options.run));
   if (!grid) return console.fail(grid.error());
-  if (interrupted()) return console.fail({ErrorCode::cancelled, ""});
+  if (interrupted()) return console.fail({ErrorCode::cancelled, "interrupted"});
   const std::uint64_t cells = count_data(*grid);
   if (options.count > cells) {
     return console.fail(ExitCode::usage, options.grid + ": -n " + std::to_string(options.count) +
@@ -86,23 +103,7 @@ ExitCode run_sample(const SampleOptions& options, Console& console) {
   }
   const std::vector<Point3> points = draw(*grid, cells, options.count, options.seed);
 
-  const WritingOutputs guard;
-  OutputBatch batch(options.run.output());
-  for (const FormattedPath& target : *targets) {
-    auto error = batch.add(
-        target.path, [&](io::OutputFile& file) { return io::write_points(file, points, target.format); });
-    if (error) return console.fail(*error);
-  }
-  if (!options.run.json.empty()) {
-    Json summary = new_summary();
-    summary["input"] = {
-        {"file", options.grid}, {"columns", grid->columns}, {"rows", grid->rows}, {"cells_with_data", cells}};
-    summary["parameters"] = {{"count", options.count}, {"seed", options.seed}};
-    summary["seconds"] = {{"total", watch.total()}};
-    summary["peak_memory_bytes"] = peak_memory_bytes();
-    if (auto error = batch.add(options.run.json, write_text(to_text(summary)))) return console.fail(*error);
-  }
-  if (auto error = batch.commit()) return console.fail(*error);
+  if (auto error = write_outputs(options, *targets, *grid, cells, points)) return console.fail(*error);
   console.note(options.grid + ": " + counted(points.size(), "cell", "cells") + " of " +
                std::to_string(cells) + " with data, seed " + std::to_string(options.seed));
   return ExitCode::done;

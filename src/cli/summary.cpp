@@ -15,8 +15,8 @@ namespace {
 Json remaining_to_json(const BuildReport& report) {
   Json list = Json::array();
   for (const RemainingPit& pit : report.result->remaining) {
-    const std::uint32_t vertex = report.mesh->vertex_of_row[pit.vertex.index()];
-    const Point3& p = report.mesh->points[vertex];
+    const std::uint32_t vertex = report.vertices->vertex_of_row[pit.vertex.index()];
+    const Point3& p = report.vertices->points[vertex];
     Json entry = {{"vertex", vertex},
                   {"x", p.x},
                   {"y", p.y},

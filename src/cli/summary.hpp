@@ -24,7 +24,7 @@ struct BuildReport {
   DuplicatePolicy policy = DuplicatePolicy::lowest;
   unsigned threads = 1;
   const Minimized* result = nullptr;
-  const CompactMesh* mesh = nullptr;
+  const VertexMap* vertices = nullptr;
   double seconds_read = 0;
   double seconds_write = 0;
   double seconds_total = 0;

@@ -50,7 +50,7 @@ std::string to_csv(const std::vector<std::string>& files, const std::vector<Swee
     for (const SweepRow& row : sweeps[i].rows) {
       text += file;
       for (const unsigned value : {row.order, row.flip, row.hull, row.best, row.lower_bound}) {
-        text += "," + std::to_string(value);
+        text.append(",").append(std::to_string(value));
       }
       text += row.certified ? ",true\n" : ",false\n";
     }
@@ -105,14 +105,26 @@ Result<Sweep> sweep_file(const SweepOptions& options, const std::string& path, C
   return sweep;
 }
 
+std::optional<Error> write_outputs(const SweepOptions& options, std::span<const FormattedPath> targets,
+                                   const std::vector<Sweep>& sweeps) {
+  const WritingOutputs guard;
+  OutputBatch batch(options.run.output());
+  for (const FormattedPath& target : targets) {
+    if (auto error = batch.add(target.path, write_text(to_csv(options.points, sweeps)))) return error;
+  }
+  if (!options.run.json.empty()) {
+    const std::string text = to_text(to_json(options.points, sweeps));
+    if (auto error = batch.add(options.run.json, write_text(text))) return error;
+  }
+  return batch.commit();
+}
+
 ExitCode run_sweep(const SweepOptions& options, Console& console) {
   console.configure(options.run.bar, options.run.quiet, options.run.verbose);
   constexpr std::array kFormats = {io::Format::csv};
   const Result<std::vector<FormattedPath>> targets = choose_formats(options.outputs, kFormats, "a sweep");
   if (!targets) return console.fail(targets.error());
-  std::vector<NamedPath> named;
-  for (const FormattedPath& target : *targets) named.push_back({"-o", target.path});
-  if (!options.run.json.empty()) named.push_back({"--json", options.run.json});
+  const std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
   if (auto error = check_outputs(named, options.points, options.run.overwrite)) return console.fail(*error);
 
   Stopwatch watch;
@@ -123,18 +135,7 @@ ExitCode run_sweep(const SweepOptions& options, Console& console) {
     describe(path, *sweep, console);
     sweeps.push_back(std::move(*sweep));
   }
-  const WritingOutputs guard;
-  OutputBatch batch(options.run.output());
-  for (const FormattedPath& target : *targets) {
-    if (auto error = batch.add(target.path, write_text(to_csv(options.points, sweeps)))) {
-      return console.fail(*error);
-    }
-  }
-  if (!options.run.json.empty()) {
-    const std::string text = to_text(to_json(options.points, sweeps));
-    if (auto error = batch.add(options.run.json, write_text(text))) return console.fail(*error);
-  }
-  if (auto error = batch.commit()) return console.fail(*error);
+  if (auto error = write_outputs(options, *targets, sweeps)) return console.fail(*error);
   console.detail("  time       " + format_fixed(watch.total(), 2) + " s, peak memory " +
                  format_bytes(peak_memory_bytes()));
   return ExitCode::done;
