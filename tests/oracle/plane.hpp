@@ -16,8 +16,8 @@ namespace oracle {
 
 __extension__ using Wide = __int128;
 
-/// A site with integer coordinates. Requires: |x|, |y| < 2^26, so that no sign below can overflow: incircle
-/// has terms up to 12 * (2^27)^4 < 2^112.
+/// A site with integer coordinates. Requires: |x|, |y| < 2^29, so that no sign below can overflow:
+/// differences are below 2^30, areas below 2^61, and the terms of incircle below 3 * 2^61 * 2^61 < 2^124.
 struct Site {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -29,7 +29,7 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 inline std::int64_t integer(double value) {
   const auto result = static_cast<std::int64_t>(value);
-  if (static_cast<double>(result) != value || std::abs(result) >= (std::int64_t{1} << 26)) {
+  if (static_cast<double>(result) != value || std::abs(result) >= (std::int64_t{1} << 29)) {
     throw std::invalid_argument("the oracle takes small integers only");
   }
   return result;

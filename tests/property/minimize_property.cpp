@@ -206,8 +206,8 @@ RC_GTEST_PROP(MetamorphicLaws, QuarterTurnInGeneralPosition, ()) {
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     state = state * 6364136223846793005u + 1442695040888963407u;
     auto& p = cloud.points[i];
-    p = {p.x * 10000 + static_cast<double>((state >> 20) % 9973),
-         p.y * 10000 + static_cast<double>((state >> 40) % 9973), p.z * 1000 + i};
+    p = {p.x * 2000 + static_cast<double>((state >> 20) % 1999),
+         p.y * 2000 + static_cast<double>((state >> 40) % 1999), p.z * 1000 + i};
   }
   Cloud turned = cloud;
   for (auto& p : turned.points) p = {-p.y, p.x, p.z};

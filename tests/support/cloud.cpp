@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -31,10 +32,12 @@ rc::Gen<Point2> in_box(int width, int height) {
 
 /// Points of the circle about the origin, moved by up to `miss` units.
 rc::Gen<Point2> near_circle(int radius, int miss) {
-  const std::vector<Point2> circle = integer_circle(radius);
+  static std::map<int, std::vector<Point2>> circles;  // finding them takes longer than a test case
+  std::vector<Point2>& circle = circles[radius];
+  if (circle.empty()) circle = integer_circle(radius);
   return rc::gen::map(rc::gen::tuple(integers(0, static_cast<int>(circle.size()) - 1), integers(-miss, miss),
                                      integers(-miss, miss)),
-                      [circle](const std::tuple<int, int, int>& p) {
+                      [&circle](const std::tuple<int, int, int>& p) {
                         const Point2 c = circle[static_cast<std::size_t>(std::get<0>(p))];
                         return Point2{c.x + std::get<1>(p), c.y + std::get<2>(p)};
                       });
@@ -43,6 +46,15 @@ rc::Gen<Point2> near_circle(int radius, int miss) {
 /// Points of the line (2 t, t).
 rc::Gen<Point2> on_line(int length) {
   return rc::gen::map(integers(0, length), [](int t) { return whole(2 * t, t); });
+}
+
+/// Points of a long line, moved by up to one unit: triangles and circles as flat as integers make them.
+rc::Gen<Point2> near_line(int length) {
+  return rc::gen::map(rc::gen::tuple(integers(0, length), integers(-1, 1), integers(-1, 1)),
+                      [](const std::tuple<int, int, int>& p) {
+                        const int t = std::get<0>(p);
+                        return whole(8191 * t + std::get<1>(p), 4095 * t + std::get<2>(p));
+                      });
 }
 
 rc::Gen<Cloud> cloud_of(int most, rc::Gen<Point2> place, int highest) {
@@ -110,7 +122,8 @@ rc::Gen<Cloud> clouds(int most) {
   return rc::gen::oneOf(
       cloud_of(most, in_box(1000, 1000), 1000), cloud_of(most, in_box(6, 6), 30),
       cloud_of(most, in_box(4, 4), 3), cloud_of(most, in_box(40, 2), 6), cloud_of(most, in_box(30, 30), 3),
-      cloud_of(most, near_circle(25, 0), 12),
+      cloud_of(most, near_circle(25, 0), 12), cloud_of(most, near_circle(32045, 1), 20),
+      cloud_of(most, near_line(20), 9),
       cloud_of(most, rc::gen::oneOf(near_circle(65, 0), near_circle(65, 1), in_box(40, 40)), 5),
       cloud_of(most, rc::gen::oneOf(near_circle(25, 0), near_circle(5, 0), in_box(3, 3)), 40),
       cloud_of(most, rc::gen::oneOf(on_line(10), in_box(20, 10)), 8),

@@ -31,8 +31,8 @@ void showValue(const Cloud& cloud, std::ostream& out);
 Cloud make_cloud(std::vector<thalweg::Point3> points);
 
 /// Clouds of at most `most` (+ 3) points: squares, tiny grids, lattices with gaps, rings of cocircular points
-/// with and without near misses of one unit, runs of collinear points inside and on the hull, with few or
-/// many different elevations.
+/// with and without near misses of one unit, runs of collinear and nearly collinear points inside and on the
+/// hull, with few or many different elevations.
 rc::Gen<Cloud> clouds(int most);
 
 /// The integer points with x^2 + y^2 = radius^2, counter-clockwise from (radius, 0). 324 for 32045.
