@@ -46,6 +46,10 @@ class CircleCounter {
   /// disk induce a connected part of the Delaunay graph; proof in src/order/circle_count.cpp.
   unsigned count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit);
 
+  /// The sites that the last `count_in_circle` found inside: all of them, if they were not more than its
+  /// limit. Requires: it has been called.
+  std::span<const VertexId> inside() const noexcept { return std::span(queue_).subspan(1); }
+
   /// Whether the triangle u, v, w has order at most k. Requires: counter-clockwise.
   bool order_at_most(unsigned k, const Triangle& t) { return count_in_circle(t[0], t[1], t[2], k) <= k; }
 

@@ -21,7 +21,9 @@ enum class Method {
   delaunay,  ///< not at all: the canonical Delaunay triangulation
   flip,      ///< the paper's flip heuristic (section 3)
   hull,      ///< the paper's hull heuristic (section 4)
-  best,      ///< the better of several combinations; never worse than flip or hull, nor at a larger order
+  best,      ///< by assignment, with a proof wherever one is found; never worse than flip or hull, nor at a
+             ///< larger order
+  exact,     ///< best, and then a search that ends with the minimum and its proof, or with the time limit
 };
 
 /// Which elevation a site takes that occurs in several rows.
@@ -32,6 +34,7 @@ struct MinimizeOptions {
   Method method = Method::best;
   DuplicatePolicy duplicates = DuplicatePolicy::lowest;
   unsigned threads = 0;     ///< 0 = all of the machine; the result does not depend on it
+  double time_limit = 0;    ///< seconds that Method::exact may search beyond best; 0 = until the end
   bool keep_trail = false;  ///< fill Minimized::trail (24 bytes a step)
   /// Called from the calling thread, now and then, with what is being done and how much of it is done in [0,
   /// 1].

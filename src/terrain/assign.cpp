@@ -8,17 +8,22 @@
 #include "kernel/assert.hpp"
 #include "kernel/edge_insertion.hpp"
 #include "terrain/changes.hpp"
+#include "terrain/completion.hpp"
+#include "terrain/disjoint_sets.hpp"
 
 namespace thalweg::detail {
 namespace {
 
+constexpr std::uint32_t kNone = 0xffffffffu;
+
 /// The constrained Delaunay triangulation with the chosen exits. Inserting them one after another gives it: a
 /// sleeve crosses no earlier exit, and a constrained Delaunay triangulation changes only within the sleeve of
-/// a new constraint.
+/// a new constraint. owner[f], if asked for, becomes the last exit that changed face f.
 Outcome insert_all(const Surface& surface, const Units& units, std::span<const std::uint32_t> chosen,
-                   const Watch& watch) {
+                   const Watch& watch, std::vector<std::uint32_t>* owner = nullptr) {
   Outcome outcome;
   outcome.triangulation = surface.delaunay();
+  if (owner != nullptr) owner->assign(outcome.triangulation.face_count(), kNone);
   EdgeInsertion insertion;
   for (const std::uint32_t e : chosen) {
     const Exit& exit = units.exits[e].exit;
@@ -26,6 +31,9 @@ Outcome insert_all(const Surface& surface, const Units& units, std::span<const s
       continue;  // a Delaunay edge
     insertion.apply(outcome.triangulation);
     ++outcome.insertions;
+    if (owner != nullptr) {
+      for (const FaceId f : insertion.faces()) (*owner)[f.index()] = e;
+    }
     if (!watch.keep_trail) continue;
     const std::uint32_t pit = surface.pit_of(exit.from);
     outcome.trail.push_back({TrailStep::Kind::insertion, exit.order, exit.from, exit.to, VertexId(),
@@ -83,6 +91,63 @@ class UneasyPairs {
   EdgeInsertion one_, two_;
 };
 
+/// The chosen exits in groups whose hulls meet, those groups alone that own a triangle of an order above k.
+std::vector<std::vector<RequiredEdge>> offending_groups(const Surface& surface, const Plan& plan,
+                                                        unsigned k) {
+  const std::vector<std::uint32_t>& chosen = plan.assignment.chosen;
+  std::vector<std::uint32_t> owner;
+  const Outcome outcome = insert_all(surface, plan.units, chosen, Watch(), &owner);
+  std::vector<UnitExit> exits;
+  for (const std::uint32_t e : chosen) exits.push_back(plan.units.exits[e]);
+  DisjointSets groups(static_cast<std::uint32_t>(exits.size()));
+  for (const auto& [a, b] : meeting_pairs(surface, exits)) groups.join(a, b);
+
+  std::vector<std::uint8_t> offends(exits.size(), 0);
+  CircleCounter counter(surface.graph());
+  for (const FaceId f : changed_faces(surface, outcome.triangulation)) {
+    if (owner[f.index()] == kNone || counter.order_at_most(k, outcome.triangulation.corners(f))) continue;
+    const auto place = std::lower_bound(chosen.begin(), chosen.end(), owner[f.index()]) - chosen.begin();
+    offends[groups.find(static_cast<std::uint32_t>(place))] = 1;
+  }
+  std::vector<std::vector<RequiredEdge>> result(exits.size());
+  for (std::uint32_t i = 0; i < exits.size(); ++i) {
+    if (offends[groups.find(i)] != 0)
+      result[groups.find(i)].push_back({exits[i].exit.from, exits[i].exit.to});
+  }
+  std::erase_if(result, [](const auto& group) { return group.empty(); });
+  return result;
+}
+
+/// The chosen exits with another triangulation of their surroundings than the constrained Delaunay one, grown
+/// so that its triangles have order <= k, where such a triangulation is found soon.
+std::optional<Outcome> insert_grown(const Surface& surface, const Plan& plan, unsigned k,
+                                    const Watch& watch) {
+  constexpr std::uint64_t kBudget = 10'000;
+  Completion completion(surface, k);
+  std::vector<std::pair<VertexId, VertexId>> grown;
+  for (const std::vector<RequiredEdge>& group : offending_groups(surface, plan, k)) {
+    if (completion.find(group, kBudget, watch) != Completion::Answer::found) return std::nullopt;
+    grown.insert(grown.end(), completion.edges().begin(), completion.edges().end());
+  }
+  Outcome outcome = insert_all(surface, plan.units, plan.assignment.chosen, watch);
+  EdgeInsertion insertion;
+  const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+  for (const auto& [u, v] : grown) {
+    // What one group has grown may run into another one's exits.
+    const bool crosses =
+        std::any_of(plan.assignment.chosen.begin(), plan.assignment.chosen.end(), [&](std::uint32_t e) {
+          const Exit& exit = plan.units.exits[e].exit;
+          return cross_properly(at(u), at(v), at(exit.from), at(exit.to));
+        });
+    if (crosses) return std::nullopt;
+    if (insertion.plan(outcome.triangulation, surface.sites(), u, v)) insertion.apply(outcome.triangulation);
+  }
+  outcome.circle_counts += completion.circle_counts();
+  outcome.pits = find_pits(outcome.triangulation, surface.z()).size();
+  if (!is_of_order(surface, k, outcome)) return std::nullopt;
+  return outcome;
+}
+
 }  // namespace
 
 Plan make_plan(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
@@ -99,6 +164,9 @@ std::optional<Outcome> insert_assignment(const Surface& surface, const Plan& pla
   THALWEG_ASSERT(outcome.pits <= plan.assignment.pits(plan.units));
   if (is_of_order(surface, k, outcome)) return outcome;
 
+  if (std::optional<Outcome> grown = insert_grown(surface, plan, k, watch)) {
+    if (grown->pits == plan.bound) return grown;
+  }
   Crossings apart = plan.crossings;
   apart.add(UneasyPairs(surface, plan, k).find());
   const Assignment again = solve_assignment(plan.units, apart);

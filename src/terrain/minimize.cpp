@@ -11,6 +11,7 @@
 #include "terrain/assign.hpp"
 #include "terrain/best.hpp"
 #include "terrain/changes.hpp"
+#include "terrain/exact.hpp"
 #include "terrain/exits.hpp"
 #include "terrain/flip.hpp"
 #include "terrain/hull.hpp"
@@ -35,7 +36,21 @@ Error cancelled() {
 }
 
 Watch watch_of(const MinimizeOptions& options) {
-  return {options.progress, options.cancel, detail::resolve_threads(options.threads), options.keep_trail};
+  return {options.progress, options.cancel, detail::resolve_threads(options.threads), options.keep_trail, {}};
+}
+
+/// The same watch, that also stops after so many seconds from now; 0 = never.
+Watch limited(Watch watch, double seconds) {
+  if (seconds > 0) {
+    using Clock = std::chrono::steady_clock;
+    // A limit beyond a century is none; the clock could not count to it either.
+    constexpr double kCentury = 100 * 365.25 * 86400;
+    if (seconds < kCentury) {
+      watch.deadline =
+          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    }
+  }
+  return watch;
 }
 
 /// The canonical Delaunay triangulation of merged sites; an error names the caller's rows.
@@ -60,6 +75,7 @@ Outcome run_method(const Surface& surface, std::span<const detail::Exit> exits, 
     case Method::hull:
       return detail::insert_hulls(surface, exits, k, watch);
     case Method::best:
+    case Method::exact:
       return detail::best_pits(surface, exits, plan, k, watch);
     case Method::delaunay:
       break;
@@ -174,6 +190,14 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
   Outcome outcome = run_method(surface, exits, plan, k, options.method, watch);
   if (watch.stopped()) return cancelled();
   result.lower_bound = plan.bound;
+  if (options.method == Method::exact) {
+    watch.report("searching for less", 0);
+    detail::ExactOutcome exact =
+        detail::exact_pits(surface, plan, std::move(outcome), k, limited(watch, options.time_limit));
+    outcome = std::move(exact.outcome);
+    result.lower_bound = exact.bound;
+    if (watch.stopped()) return cancelled();
+  }
   describe(surface, outcome, exits, k, options.method, watch, result);
   result.certified = result.pits.total == result.lower_bound;
   if (watch.stopped()) return cancelled();

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "thalweg/minimize.hpp"
@@ -27,8 +29,12 @@ struct Watch {
   const std::atomic<bool>* cancel = nullptr;
   unsigned threads = 1;
   bool keep_trail = false;
+  std::optional<std::chrono::steady_clock::time_point> deadline = {};
 
-  bool stopped() const noexcept { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  bool stopped() const noexcept {
+    return (cancel != nullptr && cancel->load(std::memory_order_relaxed)) ||
+           (deadline && std::chrono::steady_clock::now() >= *deadline);
+  }
   void report(const char* stage, double fraction) const {
     if (progress) progress(stage, fraction);
   }
