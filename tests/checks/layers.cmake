@@ -8,6 +8,7 @@
 #   - no <iostream> in the library; sources are plain ASCII.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
+get_filename_component(ROOT ${ROOT} ABSOLUTE)
 
 set(layers kernel order terrain io cli bindings)
 
