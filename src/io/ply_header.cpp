@@ -1,5 +1,6 @@
 #include "io/ply_header.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -53,9 +54,18 @@ bool read_format(TextScanner& scanner, std::optional<PlyEncoding>& encoding) {
   return version == "1.0" || scanner.fail("version " + in_quotes(version) + " of PLY is not known: 1.0 is");
 }
 
+// Names appear in messages, so they may not hold what a terminal would act on.
+bool is_name(std::string_view word) noexcept {
+  constexpr std::size_t kLongest = 100;
+  return !word.empty() && word.size() <= kLongest &&
+         std::none_of(word.begin(), word.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; });
+}
+
 bool read_element(TextScanner& scanner, PlyHeader& header) {
   const std::string_view name = scanner.word();
-  if (name.empty()) return scanner.fail("an element without a name: write `element NAME COUNT`");
+  if (!is_name(name)) {
+    return scanner.fail("an element called " + in_quotes(name) + ": write `element NAME COUNT`");
+  }
   std::int64_t count = 0;
   if (!scanner.whole(count, 0, std::numeric_limits<std::int64_t>::max(), "the count of the element"))
     return false;
@@ -77,7 +87,9 @@ bool read_property(TextScanner& scanner, PlyHeader& header) {
   }
   if (!read_type(scanner, property.type)) return false;
   property.name = scanner.word();
-  if (property.name.empty()) return scanner.fail("a property without a name: write `property TYPE NAME`");
+  if (!is_name(property.name)) {
+    return scanner.fail("a property called " + in_quotes(property.name) + ": write `property TYPE NAME`");
+  }
   header.elements.back().properties.push_back(std::move(property));
   return true;
 }

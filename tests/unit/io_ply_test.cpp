@@ -178,6 +178,8 @@ TEST_F(ReadPly, HeaderFaultNamesTheLine) {
                ":4: \"quad\" is no type of PLY");
   expect_fault("ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\n",
                ":4: the length of a list");
+  expect_fault("ply\nformat ascii 1.0\nelement ver\x1btex 1\n", ":3: an element called \"ver\\x1btex\"");
+  expect_fault("ply\nformat ascii 1.0\nelement vertex 1\nproperty int\n", ":4: a property called \"\"");
   expect_fault("ply\nformat ascii 1.0\nwhat\n", ":3: \"what\" is no keyword of a PLY header");
   expect_fault("ply\nformat ascii 1.0\nelement vertex 1\n", ":3: the file ends in its header");
   expect_fault("ply\nelement vertex 0\nend_header\n", ":3: the header has no format");
