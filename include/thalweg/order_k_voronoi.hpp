@@ -93,10 +93,15 @@ class OrderKVoronoi {
   /// The cell on the left; invalid on the outer side of an edge at infinity.
   CellId face(VoronoiHalfedgeId h) const noexcept { return CellId(face_[h.index()]); }
 
-  /// The site that the cell across h has and the cell of h has not; the edge is on the bisector of gain(h)
-  /// and loss(h). Invalid on both sides of an edge at infinity, for one or both.
-  VertexId gain(VoronoiHalfedgeId h) const noexcept { return row(gain_of(h.index())); }
-  VertexId loss(VoronoiHalfedgeId h) const noexcept { return row(loss_of(h.index())); }
+  /// The site that the cell across h has and the cell of h has not, and the other way around: the edge is on
+  /// the bisector of the two. Invalid at infinity. Law: gain(h) == loss(twin(h)).
+  VertexId gain(VoronoiHalfedgeId h) const noexcept {
+    return row(at_infinity(h) ? kNone : gain_of(h.index()));
+  }
+  VertexId loss(VoronoiHalfedgeId h) const noexcept {
+    return row(at_infinity(h) ? kNone : loss_of(h.index()));
+  }
+  /// Whether h is on an edge at infinity.
   bool at_infinity(VoronoiHalfedgeId h) const noexcept {
     return gain_of(h.index()) == kNone || loss_of(h.index()) == kNone;
   }

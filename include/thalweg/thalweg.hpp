@@ -5,6 +5,7 @@
 #include "thalweg/delaunay.hpp"
 #include "thalweg/id.hpp"
 #include "thalweg/minimize.hpp"
+#include "thalweg/order_k_voronoi.hpp"
 #include "thalweg/pits.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/predicates.hpp"
@@ -13,3 +14,4 @@
 #include "thalweg/useful_order.hpp"
 #include "thalweg/validate.hpp"
 #include "thalweg/version.hpp"
+#include "thalweg/voronoi_counter.hpp"
