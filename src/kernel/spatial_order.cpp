@@ -5,6 +5,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "kernel/huge_pages.hpp"
+#include "kernel/parallel.hpp"
 
 namespace thalweg::detail {
 namespace {
@@ -68,29 +72,52 @@ std::uint32_t row_of(KeyedRow k) {
 
 constexpr std::uint32_t kDigitBits = 11;
 constexpr std::uint32_t kDigits = 1u << kDigitBits;
-constexpr int kPasses = 3;
-using Histograms = std::array<std::array<std::uint32_t, kDigits>, kPasses>;
+constexpr std::uint32_t kPasses = 3;
 
-std::uint32_t digit(KeyedRow k, int pass) {
-  return static_cast<std::uint32_t>(k >> (32 + kDigitBits * static_cast<std::uint32_t>(pass))) % kDigits;
+std::uint32_t digit(KeyedRow k, std::uint32_t pass) {
+  return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
 }
 
-void radix_sort(std::vector<KeyedRow>& keyed) {
+/// Fewer points than these a thread are not worth one.
+constexpr std::size_t kThreadPoints = 1u << 16;
+
+/// Calls task(i, begin, end) for `parts` equal parts of [0, count), each in a thread.
+template <class Task>
+void for_parts(std::size_t count, std::size_t parts, Task&& task) {
+  parallel_chunks(parts, 1, static_cast<unsigned>(parts), [&] {
+    return [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) task(i, count * i / parts, count * (i + 1) / parts);
+    };
+  });
+}
+
+/// One pass of a stable radix sort. Every part counts its digits, learns from all counts where its elements
+/// go, and moves them: the result is that of one part.
+void radix_pass(const std::vector<KeyedRow>& from, std::vector<KeyedRow>& to, std::uint32_t pass,
+                std::size_t parts) {
+  std::vector<std::array<std::uint32_t, kDigits>> counts(parts);
+  for_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) ++counts[part][digit(from[i], pass)];
+  });
+  std::uint32_t place = 0;
+  for (std::size_t d = 0; d < kDigits; ++d) {
+    for (auto& count : counts) place += std::exchange(count[d], place);
+  }
+  for_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    auto& next = counts[part];
+    for (std::size_t i = begin; i < end; ++i) to[next[digit(from[i], pass)]++] = from[i];
+  });
+}
+
+void radix_sort(std::vector<KeyedRow>& keyed, unsigned threads) {
   if (keyed.size() < 4 * kDigits) {
     std::sort(keyed.begin(), keyed.end());
     return;
   }
-  auto histograms = std::vector<Histograms>(1);
-  for (const KeyedRow k : keyed) {
-    for (int pass = 0; pass < kPasses; ++pass)
-      ++histograms[0][static_cast<std::size_t>(pass)][digit(k, pass)];
-  }
-  std::vector<KeyedRow> other(keyed.size());
-  for (int pass = 0; pass < kPasses; ++pass) {
-    auto& counts = histograms[0][static_cast<std::size_t>(pass)];
-    if (counts[digit(keyed[0], pass)] == keyed.size()) continue;
-    std::exclusive_scan(counts.begin(), counts.end(), counts.begin(), 0u);
-    for (const KeyedRow k : keyed) other[counts[digit(k, pass)]++] = k;
+  const std::size_t parts = std::clamp<std::size_t>(keyed.size() / kThreadPoints, 1, threads);
+  std::vector<KeyedRow> other = large_vector<KeyedRow>(keyed.size());
+  for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+    radix_pass(keyed, other, pass, parts);
     keyed.swap(other);
   }
 }
@@ -125,7 +152,7 @@ void order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, i
     const Grid grid(gathered);
     for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = KeyedRow{grid.key(gathered[i])} << 32 | rows[i];
   }
-  radix_sort(keyed);
+  radix_sort(keyed, 1);
   std::uint32_t different = 1;
   for (std::size_t i = 1; i < keyed.size(); ++i) different += key_of(keyed[i]) != key_of(keyed[i - 1]);
   if (different <= kCellSites) {
@@ -147,14 +174,18 @@ void morton_keys(std::span<const Point2> points, std::span<std::uint32_t> keys) 
   for (std::size_t i = 0; i < points.size(); ++i) keys[i] = grid.key(points[i]);
 }
 
-SpatialOrder spatial_order(std::span<const Point2> points, unsigned) {
+SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   SpatialOrder order;
   if (points.empty()) return order;
   const auto count = static_cast<std::uint32_t>(points.size());
-  std::vector<KeyedRow> keyed(count);
+  std::vector<KeyedRow> keyed = large_vector<KeyedRow>(count);
   const Grid grid(points);
-  for (std::uint32_t i = 0; i < count; ++i) keyed[i] = KeyedRow{grid.key(points[i])} << 32 | i;
-  radix_sort(keyed);
+  threads = resolve_threads(threads);
+  const std::size_t parts = std::clamp<std::size_t>(count / kThreadPoints, 1, threads);
+  for_parts(count, parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) keyed[i] = KeyedRow{grid.key(points[i])} << 32 | i;
+  });
+  radix_sort(keyed, threads);
 
   order.rows.resize(count);
   order.keys.resize(count);
