@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -44,6 +45,23 @@ RC_GTEST_PROP(MinimizeLaws, GivesTheRightReasons, ()) {
   const Method method = any_method();
   const auto wrong = support::find_wrong_reason(cloud, minimize(cloud, method, k), k);
   if (wrong) RC_FAIL(*wrong);
+}
+
+/// Every triangulation of a small set is looked at: none has fewer pits than the bound says, and no result
+/// fewer than the best of them.
+RC_GTEST_PROP(MinimizeLaws, BoundAndResultEncloseTheOptimum, ()) {
+  const Cloud cloud = *support::clouds(7);
+  const auto fewest = oracle::fewest_pits(oracle::sites_of(std::span<const thalweg::Point3>(cloud.points)));
+  for (unsigned k = 0; k < fewest.size(); ++k) {
+    for (const Method method : {Method::flip, Method::hull, Method::best}) {
+      RC_LOG() << support::method_name(method) << " at order " << k << "\n";
+      const Minimized m = minimize(cloud, method, k);
+      RC_ASSERT(m.lower_bound <= fewest[k]);
+      RC_ASSERT(m.pits.total >= fewest[k]);
+      RC_ASSERT(!m.certified || m.pits.total == fewest[k]);
+      RC_ASSERT(k != 1 || m.pits.total == fewest[k]);  // at order 1 the heuristics are optimal
+    }
+  }
 }
 
 RC_GTEST_PROP(MinimizeLaws, OrderOfRowsDoesNotMatter, ()) {
@@ -170,6 +188,38 @@ RC_GTEST_PROP(DuplicateLaws, AreMergedByThePolicy, ()) {
     t = {place_of(t[0]), place_of(t[1]), place_of(t[2])};
   }
   RC_ASSERT(oracle::normal_form(triangles) == shape(minimize(merged, Method::best, k)));
+}
+
+/// Under DuplicatePolicy::mean a merged site has the mean of its rows, reported by the row that stands for
+/// it.
+RC_GTEST_PROP(DuplicateLaws, MeanIsReported, ()) {
+  const Cloud cloud = *support::clouds(15);
+  std::vector<thalweg::Point3> rows = cloud.points;
+  Cloud merged = cloud;
+  const auto copies = *rc::gen::inRange<std::size_t>(0, cloud.points.size() + 1);
+  for (std::size_t i = 0; i < copies; ++i) {  // integers of equal parity: the mean is exact
+    rows.push_back({cloud.points[i].x, cloud.points[i].y, cloud.points[i].z + 2 * static_cast<double>(i)});
+    merged.points[i].z += static_cast<double>(i);
+  }
+  thalweg::MinimizeOptions options;
+  options.duplicates = thalweg::DuplicatePolicy::mean;
+  const auto result = thalweg::minimize_pits(rows, options);
+  RC_ASSERT(static_cast<bool>(result));
+  RC_ASSERT(result->merged.size() == copies);
+  for (const auto& [row, z] : result->mean_elevations) {
+    const auto same = [&, r = row](const thalweg::Point3& p) { return p.x == rows[r].x && p.y == rows[r].y; };
+    const auto at = std::find_if(merged.points.begin(), merged.points.end(), same);
+    RC_ASSERT(at != merged.points.end() && at->z == z);
+  }
+  RC_ASSERT(result->pits == minimize(merged, Method::best, options.order).pits);
+
+  options.duplicates = thalweg::DuplicatePolicy::error;
+  const auto refused = thalweg::minimize_pits(rows, options);
+  RC_ASSERT(static_cast<bool>(refused) == (copies == 0));
+  if (!refused) {
+    RC_ASSERT(refused.error().code == thalweg::ErrorCode::duplicate_points);
+    RC_ASSERT(!refused.error().rows.empty());
+  }
 }
 
 /// Moves that are exact change nothing: the library sees signs only.
