@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdio>
 
+#include "cli/interrupt.hpp"
+
 namespace thalweg::cli {
 namespace {
 
@@ -26,7 +28,8 @@ void Console::configure(Bar bar, bool quiet, bool verbose) noexcept {
 }
 
 ExitCode Console::fail(const Error& error) {
-  if (error.code == ErrorCode::cancelled)
+  // Whatever went wrong after Ctrl-C, a read cut short say, went wrong because of it.
+  if (error.code == ErrorCode::cancelled || interrupted())
     return fail(ExitCode::interrupted, "interrupted: no unfinished output is left");
   const ExitCode code = exit_code_of(error.code);
   if (code == ExitCode::output && stdout_has_no_reader()) {

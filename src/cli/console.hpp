@@ -24,8 +24,8 @@ class Console {
   /// Quiet: errors alone, whatever else is asked.
   void configure(Bar bar, bool quiet, bool verbose) noexcept;
 
-  /// "thalweg: error: ..." and the exit code to end with. Cancelled is said as "interrupted"; a pipe whose
-  /// reader has gone is not worth a word.
+  /// "thalweg: error: ..." and the exit code to end with. Any error after Ctrl-C is said to be that; a pipe
+  /// whose reader has gone is not worth a word.
   ExitCode fail(const Error& error);
   /// The same for what has no ErrorCode.
   ExitCode fail(ExitCode code, std::string_view message);
