@@ -1,4 +1,5 @@
-/// THALWEG_ASSERT: a caller's bug, or ours, stops the program in debug, test and sanitizer builds and costs nothing else.
+/// THALWEG_ASSERT: a caller's bug, or ours, stops the program in debug, test and sanitizer builds and costs
+/// nothing else.
 #pragma once
 
 #if defined(THALWEG_CHECKED) && THALWEG_CHECKED

@@ -1,4 +1,5 @@
-/// Work shared among threads whose result cannot depend on how it was shared: every item writes to a place of its own.
+/// Work shared among threads whose result cannot depend on how it was shared: every item writes to a place of
+/// its own.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,8 @@ inline unsigned resolve_threads(unsigned asked) noexcept {
   return asked != 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Calls work(begin, end) for consecutive chunks of [0, count), each chunk in one thread; `work` is made anew by
-/// make_worker() in every thread, so that it can own scratch memory. The calling thread takes part.
+/// Calls work(begin, end) for consecutive chunks of [0, count), each chunk in one thread; `work` is made anew
+/// by make_worker() in every thread, so that it can own scratch memory. The calling thread takes part.
 /// Exceptions (std::bad_alloc) reach the caller after all threads have stopped.
 template <class MakeWorker>
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, MakeWorker&& make_worker) {

@@ -3,6 +3,8 @@
 
 namespace thalweg {
 
-const char* version() noexcept { return THALWEG_VERSION; }
+const char* version() noexcept {
+  return THALWEG_VERSION;
+}
 
 }  // namespace thalweg
