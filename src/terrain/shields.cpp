@@ -71,7 +71,7 @@ std::optional<Error> fault_of_ends(std::span<const LatticePoint> ends) {
   std::sort(sorted.begin(), sorted.end(), [&](auto a, auto b) { return key(a) < key(b); });
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (ends[sorted[i - 1]] != ends[sorted[i]]) continue;
-    const auto [first, second] = std::minmax(sorted[i - 1] / 2, sorted[i] / 2);
+    const auto [first, second] = std::minmax({sorted[i - 1] / 2, sorted[i] / 2});
     return refusal(segment_name(first) + " and " + segment_name(second) + " share the end " +
                        place_name(ends[sorted[i]]) + ": make all ends distinct, e.g. extend one slightly",
                    {first, second});
