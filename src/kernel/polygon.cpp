@@ -21,16 +21,7 @@ struct Part {
   std::size_t begin, end;
 };
 
-/// Whether the direction from c to x lies in the closed sector that is swept counter-clockwise from c ->
-/// first to c -> last.
-bool in_sector(Point2 c, Point2 first, Point2 last, Point2 x) {
-  const int turn = orient2d_sign(c, first, last);
-  if (turn > 0) return orient2d_sign(c, first, x) >= 0 && orient2d_sign(c, x, last) >= 0;
-  if (turn < 0) return !(orient2d_sign(c, last, x) > 0 && orient2d_sign(c, x, first) > 0);
-  return first == last || orient2d_sign(c, first, x) >= 0;  // a full turn, or a half
-}
-
-/// The position in the part of the vertex whose circle with the base is empty; first occurrence.
+/// The position in the part of the vertex whose circle with the base is empty.
 std::size_t apex_position(std::span<const Point2> sites, std::span<const VertexId> chain, const Part& part) {
   const Point2 a = sites[part.from.index()], b = sites[part.to.index()];
   std::size_t best = part.end;
@@ -47,22 +38,6 @@ std::size_t apex_position(std::span<const Point2> sites, std::span<const VertexI
   return best;
 }
 
-/// Of a vertex that the part visits more than once, the visit whose inner angle holds the triangle over the
-/// base.
-std::size_t right_visit(std::span<const Point2> sites, std::span<const VertexId> chain, const Part& part,
-                        std::size_t first) {
-  const VertexId c = chain[first];
-  for (std::size_t i = first; i < part.end; ++i) {
-    if (chain[i] != c) continue;
-    const VertexId before = i == part.begin ? part.from : chain[i - 1];
-    const VertexId after = i + 1 == part.end ? part.to : chain[i + 1];
-    if (in_sector(sites[c.index()], sites[before.index()], sites[after.index()], sites[part.from.index()]))
-      return i;
-  }
-  THALWEG_ASSERT(false);
-  return first;
-}
-
 }  // namespace
 
 void triangulate_polygon(std::span<const Point2> sites, VertexId from, VertexId to,
@@ -72,7 +47,7 @@ void triangulate_polygon(std::span<const Point2> sites, VertexId from, VertexId 
     const Part part = parts.back();
     parts.pop_back();
     if (part.begin == part.end) continue;
-    const std::size_t at = right_visit(sites, chain, part, apex_position(sites, chain, part));
+    const std::size_t at = apex_position(sites, chain, part);
     const VertexId c = chain[at];
     triangles.push_back({part.from, part.to, c});
     parts.push_back({part.from, c, part.begin, at});

@@ -58,7 +58,8 @@ double mean_z(std::span<const Point3> points, std::span<const std::uint32_t> gro
     sum += value;
     sum_of_parts += value / count;
   }
-  return std::isfinite(sum) ? sum / count : sum_of_parts;
+  // Rounding may carry a mean past the values that it lies between.
+  return std::clamp(std::isfinite(sum) ? sum / count : sum_of_parts, z.front(), z.back());
 }
 
 void merge_group(std::span<const Point3> points, std::span<const std::uint32_t> group, DuplicatePolicy policy,
