@@ -4,135 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "oracle/exact_predicates.hpp"
+#include "support/point_sets.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/triangulation.hpp"
 
 namespace support {
-
-using thalweg::Point2;
-
-/// SplitMix64: the same sets from every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(bits() % n); }
-  double whole(int low, int high) {
-    return low + static_cast<double>(below(static_cast<std::uint32_t>(high - low + 1)));
-  }
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-
- private:
-  std::uint64_t state_;
-};
-
-inline bool lexicographic(Point2 a, Point2 b) {
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
-/// Point sets of one kind each, many with duplicates, some collinear.
-enum class Kind {
-  uniform,
-  small_grid,
-  wide_grid,
-  column,
-  ring,
-  integer_ring,
-  parabola,
-  collinear,
-  near_collinear,
-  clusters,
-  far_clusters,
-  one_cell,
-  spiral,
-  ulps,
-  utm,
-  flat_box,
-  denormal,
-  huge,
-  any_exponent,
-  signed_zeros,
-  kinds
-};
-
-inline Point2 point_of(Kind kind, Random& random, std::uint32_t i) {
-  const double u = random.unit(), v = random.unit();
-  const double turn = 2 * 3.141592653589793 * u;
-  switch (kind) {
-    case Kind::uniform:
-      return {u, v};
-    case Kind::small_grid:
-      return {random.whole(0, 3), random.whole(-2, 2)};
-    case Kind::wide_grid:
-      return {random.whole(0, 12), random.whole(0, 12)};
-    case Kind::column:
-      return {random.whole(0, 1), random.whole(0, 40)};
-    case Kind::ring:
-      return {std::cos(turn), std::sin(turn)};
-    case Kind::integer_ring: {
-      constexpr std::array<std::array<double, 2>, 5> kEighth = {
-          {{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39}}};
-      auto [x, y] = kEighth[random.below(5)];
-      if (random.below(2) == 0) std::swap(x, y);
-      return {random.below(2) == 0 ? x : -x, random.below(2) == 0 ? y : -y};
-    }
-    case Kind::parabola:
-      return {2 * u - 1, (2 * u - 1) * (2 * u - 1)};
-    case Kind::collinear:
-      return i < 3 ? Point2{u, v} : Point2{random.whole(-9, 9) * 3, random.whole(-9, 9) * 0 + 7};
-    case Kind::near_collinear:
-      return {u, std::nextafter(u, random.whole(-1, 1) * 2)};
-    case Kind::clusters:
-      return {std::floor(4 * u) + 1e-6 * random.unit(), std::floor(4 * v) + 1e-6 * random.unit()};
-    case Kind::far_clusters:
-      return {(i % 2) * 1e15 + u, v};
-    case Kind::one_cell:
-      return i % 32 == 0 ? Point2{u, v} : Point2{0.3 + 1e-9 * u, 0.7 + 1e-9 * v};
-    case Kind::spiral:
-      return {std::exp(-60 * u) * std::cos(300 * u), std::exp(-60 * u) * std::sin(300 * u)};
-    case Kind::ulps: {
-      double x = 1, y = 3;
-      for (std::uint32_t k = random.below(4); k > 0; --k) x = std::nextafter(x, 2);
-      for (std::uint32_t k = random.below(4); k > 0; --k) y = std::nextafter(y, 4);
-      return {x, y};
-    }
-    case Kind::utm:
-      return {500000 + std::round(100 * u) / 100, 5400000 + std::round(100 * v) / 100};
-    case Kind::flat_box:
-      return {1e10 * u, v};
-    case Kind::denormal:
-      return {5e-324 * random.whole(0, 90), -5e-324 * random.whole(0, 90)};
-    case Kind::huge:
-      return {(2 * u - 1) * std::numeric_limits<double>::max(), (2 * v - 1) * 1e308};
-    case Kind::any_exponent:
-      return {std::ldexp(2 * u - 1, static_cast<int>(random.below(2090)) - 1073),
-              std::ldexp(2 * v - 1, static_cast<int>(random.below(2090)) - 1073)};
-    default:
-      return {random.whole(-1, 1) * 0.0, random.whole(-1, 1) * (i % 3 == 0 ? 1.0 : 0.0)};
-  }
-}
-
-inline std::vector<Point2> point_set(Kind kind, std::uint32_t count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Point2> points;
-  for (std::uint32_t i = 0; i < count; ++i) points.push_back(point_of(kind, random, i));
-  return points;
-}
 
 /// The edge from u to v between the triangles with apices c and d: whether the perturbation keeps it. The
 /// lexicographically largest of four cocircular sites is lifted out of the circle, so it must not be an end
