@@ -47,12 +47,13 @@ struct Box {
   Point2 high;
 };
 
-/// A half-edge structure with three half-edges a vertex: half-edge 3 v + i leaves vertex v. Immutable: safe
-/// for concurrent readers. Sites are named by the caller's rows; of rows with equal points the first stands
-/// for all.
+/// A half-edge structure with polygonal faces: the half-edges of a cell are consecutive, counter-clockwise.
+/// Immutable: safe for concurrent readers. Sites are named by the caller's rows; of rows with equal points
+/// the first stands for all.
 ///
 /// Unbounded cells are cycles too: a ray ends at a *vertex at infinity*, and an *edge at infinity* joins two
-/// of them along an unbounded cell. The other side of edges at infinity is no cell.
+/// of them along an unbounded cell. The other side of edges at infinity, the outside, is no cell. Every
+/// vertex has three edges.
 class OrderKVoronoi {
  public:
   /// k.
@@ -62,69 +63,68 @@ class OrderKVoronoi {
   /// The caller's points.
   Point2 point(VertexId site) const noexcept { return points_[site.index()]; }
 
-  /// Law: 2kn - k^2 - n + 1 - (unbounded cells of all orders below k) cells for n sites of which no three are
-  /// on one line. Source: Lee 1982.
-  std::uint32_t cell_count() const noexcept { return static_cast<std::uint32_t>(first_.size()); }
+  /// Law: 2 k n - k^2 - n + 1 - (unbounded cells of all orders below k) cells for n sites of which no three
+  /// are on one line. Source: Lee 1982.
+  std::uint32_t cell_count() const noexcept { return static_cast<std::uint32_t>(first_.size() - 2); }
   /// Those at infinity included.
-  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(corner_.size() / 3); }
-  std::uint32_t halfedge_count() const noexcept { return static_cast<std::uint32_t>(corner_.size()); }
+  std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(outgoing_.size()); }
+  std::uint32_t halfedge_count() const noexcept { return static_cast<std::uint32_t>(halfedges_.size()); }
 
   /// The k sites of a cell, ascending.
   std::span<const VertexId> sites(CellId c) const noexcept {
     return std::span(sets_).subspan(std::size_t{order_} * c.index(), order_);
   }
-  /// A half-edge with the cell on its left; invalid if the cell is the whole plane (k sites in all).
-  VoronoiHalfedgeId halfedge(CellId c) const noexcept { return VoronoiHalfedgeId(first_[c.index()]); }
+  /// The first half-edge with the cell on its left; invalid if the cell is the whole plane (k sites in all).
+  VoronoiHalfedgeId halfedge(CellId c) const noexcept {
+    return VoronoiHalfedgeId(halfedges_.empty() ? kNone : first_[c.index()]);
+  }
   /// Whether the cell reaches to infinity.
   bool unbounded(CellId c) const noexcept;
 
   /// The half-edge in the opposite direction. Always valid.
-  VoronoiHalfedgeId twin(VoronoiHalfedgeId h) const noexcept { return VoronoiHalfedgeId(twin_[h.index()]); }
+  VoronoiHalfedgeId twin(VoronoiHalfedgeId h) const noexcept {
+    return VoronoiHalfedgeId(halfedges_[h.index()].twin);
+  }
   VoronoiHalfedgeId next(VoronoiHalfedgeId h) const noexcept {
-    const std::uint32_t t = twin_[h.index()];
-    return VoronoiHalfedgeId(t % 3 == 0 ? t + 2 : t - 1);
+    const std::uint32_t f = cycle_of(h);
+    return VoronoiHalfedgeId(h.index() + 1 == first_[f + 1] ? first_[f] : h.index() + 1);
   }
   VoronoiHalfedgeId prev(VoronoiHalfedgeId h) const noexcept {
-    const std::uint32_t i = h.index();
-    return twin(VoronoiHalfedgeId(i % 3 == 2 ? i - 2 : i + 1));
+    const std::uint32_t f = cycle_of(h);
+    return VoronoiHalfedgeId((h.index() == first_[f] ? first_[f + 1] : h.index()) - 1);
   }
-  VoronoiVertexId origin(VoronoiHalfedgeId h) const noexcept { return VoronoiVertexId(h.index() / 3); }
+  VoronoiVertexId origin(VoronoiHalfedgeId h) const noexcept { return VoronoiVertexId(origin_[h.index()]); }
   VoronoiVertexId dest(VoronoiHalfedgeId h) const noexcept { return origin(twin(h)); }
-  /// The cell on the left; invalid on the outer side of an edge at infinity.
-  CellId face(VoronoiHalfedgeId h) const noexcept { return CellId(face_[h.index()]); }
+  /// The cell on the left; invalid for the outside.
+  CellId face(VoronoiHalfedgeId h) const noexcept { return across(twin(h)); }
+  /// The cell on the right, face(twin(h)); invalid for the outside. The cheaper of the two.
+  CellId across(VoronoiHalfedgeId h) const noexcept {
+    const std::uint32_t f = halfedges_[h.index()].across;
+    return f == cell_count() ? CellId() : CellId(f);
+  }
 
   /// The site that the cell across h has and the cell of h has not, and the other way around: the edge is on
   /// the bisector of the two. Invalid at infinity. Law: gain(h) == loss(twin(h)).
-  VertexId gain(VoronoiHalfedgeId h) const noexcept {
-    return row(at_infinity(h) ? kNone : gain_of(h.index()));
-  }
-  VertexId loss(VoronoiHalfedgeId h) const noexcept {
-    return row(at_infinity(h) ? kNone : loss_of(h.index()));
-  }
+  VertexId gain(VoronoiHalfedgeId h) const noexcept { return row(halfedges_[h.index()].gain); }
+  VertexId loss(VoronoiHalfedgeId h) const noexcept { return row(halfedges_[h.index()].loss); }
   /// Whether h is on an edge at infinity.
-  bool at_infinity(VoronoiHalfedgeId h) const noexcept {
-    return gain_of(h.index()) == kNone || loss_of(h.index()) == kNone;
-  }
+  bool at_infinity(VoronoiHalfedgeId h) const noexcept { return halfedges_[h.index()].gain == kNone; }
 
+  /// One half-edge that leaves v; for a vertex at infinity its ray.
+  VoronoiHalfedgeId outgoing(VoronoiVertexId v) const noexcept {
+    return VoronoiHalfedgeId(outgoing_[v.index()]);
+  }
   /// The sites whose circle has its centre at v, counter-clockwise. For a vertex at infinity two sites and an
   /// invalid one: the circle is the half-plane on the left of the two.
-  Triangle circle(VoronoiVertexId v) const noexcept {
-    return {row(corner_[3 * v.index()]), row(corner_[3 * v.index() + 1]), row(corner_[3 * v.index() + 2])};
-  }
+  Triangle circle(VoronoiVertexId v) const noexcept;
   /// How many sites are inside the circle of v, under the perturbation: k - 1 or k - 2.
   unsigned inside(VoronoiVertexId v) const noexcept { return order_ - (v.index() < old_count_ ? 2 : 1); }
-  bool at_infinity(VoronoiVertexId v) const noexcept { return corner_[3 * v.index() + 2] == kNone; }
+  bool at_infinity(VoronoiVertexId v) const noexcept { return at_infinity(prev(outgoing(v))); }
 
   /// Calls visit(VoronoiHalfedgeId) for every half-edge of a cell, counter-clockwise.
   template <class Visit>
   void for_each_halfedge(CellId c, Visit&& visit) const {
-    const VoronoiHalfedgeId first = halfedge(c);
-    if (!first.valid()) return;
-    VoronoiHalfedgeId h = first;
-    do {
-      visit(h);
-      h = next(h);
-    } while (h != first);
+    for (std::uint32_t h = first_[c.index()]; h < first_[c.index() + 1]; ++h) visit(VoronoiHalfedgeId(h));
   }
 
   /// The cell of the k nearest sites of q. Exact; of equally distant sites the smaller in (x, y) is the
@@ -158,13 +158,17 @@ class OrderKVoronoi {
 
   OrderKVoronoi() = default;
 
+  // All that a walk needs, in one place of memory.
+  struct Halfedge {
+    std::uint32_t gain;  // by its number in spatial order
+    std::uint32_t loss;
+    std::uint32_t twin;
+    std::uint32_t across;  // a cell, or cell_count() for the outside
+  };
+
   VertexId row(std::uint32_t site) const noexcept { return VertexId(site == kNone ? kNone : rows_[site]); }
-  // The labels of src/order/voronoi_map.hpp.
-  std::uint32_t gain_of(std::uint32_t h) const noexcept {
-    return corner_[h >= 3 * old_count_ ? h : h % 3 == 2 ? h - 2 : h + 1];
-  }
-  std::uint32_t loss_of(std::uint32_t h) const noexcept {
-    return corner_[h < 3 * old_count_ ? h : h % 3 == 2 ? h - 2 : h + 1];
+  std::uint32_t cycle_of(VoronoiHalfedgeId h) const noexcept {
+    return halfedges_[halfedges_[h.index()].twin].across;
   }
   template <class Nearer>
   std::uint32_t walk(std::uint32_t cell, Nearer&& nearer) const;
@@ -172,13 +176,13 @@ class OrderKVoronoi {
   unsigned order_ = 0;
   std::uint32_t old_count_ = 0;  // vertices below have k - 2 sites inside, the others k - 1
   std::vector<Point2> points_;
-  std::vector<std::uint32_t> rows_;    // of each site, in spatial order
-  std::vector<std::uint32_t> corner_;  // sites of each vertex
-  std::vector<std::uint32_t> twin_;
-  std::vector<std::uint32_t> face_;
-  std::vector<std::uint32_t> first_;  // half-edge of each cell
-  std::vector<VertexId> sets_;
-  std::vector<std::uint32_t> cell_at_;  // the cell that holds each site
+  std::vector<std::uint32_t> rows_;   // of each site, in spatial order
+  std::vector<std::uint32_t> first_;  // half-edge of each cell, of the outside, and the end
+  std::vector<Halfedge> halfedges_;
+  std::vector<std::uint32_t> origin_;    // of each half-edge
+  std::vector<std::uint32_t> outgoing_;  // of each vertex
+  std::vector<VertexId> sets_;           // k of each cell
+  std::vector<std::uint32_t> cell_at_;   // the cell that holds each site
   std::shared_ptr<const detail::SiteIndex> index_;
 };
 

@@ -58,8 +58,9 @@ void build_in_line(OrderKVoronoi& diagram, std::span<const Point2> sites,
   std::vector<VertexId> set;
   for (unsigned i = 0; i < diagram.order(); ++i) set.push_back(VertexId(rows[along[i]]));
   std::sort(set.begin(), set.end());
-  // Slot 2 of the first line's left vertex leaves along the border of the first strip.
-  VoronoiBuilder::spread_sets(diagram, diagram.face(VoronoiHalfedgeId(2)).index(), std::move(set));
+  // The lowest half-edge beside a strip but the first is slot 0 of its line; that of the first is slot 2 of
+  // the first line, and so its strip is the second found.
+  VoronoiBuilder::spread_sets(diagram, 1, std::move(set));
 }
 
 /// False if ids do not suffice.
@@ -71,11 +72,10 @@ bool build(OrderKVoronoi& diagram, std::span<const Point2> sites, const Triangul
     if (map.corner.empty()) return false;
   }
   VoronoiBuilder::take_map(diagram, std::move(map));
-  VoronoiVertexId v(0);
-  while (diagram.at_infinity(v)) v = VoronoiVertexId(v.index() + 1);
-  const VoronoiHalfedgeId h(3 * v.index());
-  VoronoiBuilder::spread_sets(diagram, diagram.face(h).index(),
-                              VoronoiBuilder::set_beside(diagram, h.index()));
+  VoronoiHalfedgeId h(0);
+  while (diagram.at_infinity(h) || diagram.at_infinity(diagram.origin(h)))
+    h = VoronoiHalfedgeId(h.index() + 1);
+  VoronoiBuilder::spread_sets(diagram, diagram.face(h).index(), VoronoiBuilder::set_of(diagram, h));
   return true;
 }
 
@@ -136,12 +136,20 @@ bool OrderKVoronoi::unbounded(CellId c) const noexcept {
   return result;
 }
 
+// Before and after a new vertex the cell loses the same site, before and after an old one it gains the same.
+Triangle OrderKVoronoi::circle(VoronoiVertexId v) const noexcept {
+  const VoronoiHalfedgeId out = outgoing(v), in = prev(out);
+  if (at_infinity(in)) return {gain(out), loss(out), VertexId()};
+  if (loss(in) == loss(out)) return {gain(out), loss(out), gain(in)};
+  return {loss(out), gain(out), loss(in)};
+}
+
 std::vector<std::pair<VertexId, VertexId>> OrderKVoronoi::delaunay_edges() const {
   std::vector<std::pair<VertexId, VertexId>> pairs;
-  pairs.reserve(twin_.size() / 2);
-  for (std::uint32_t h = 0; h < twin_.size(); ++h) {
+  pairs.reserve(halfedges_.size() / 2);
+  for (std::uint32_t h = 0; h < halfedges_.size(); ++h) {
     const VoronoiHalfedgeId halfedge(h);
-    if (h > twin_[h] || at_infinity(halfedge)) continue;
+    if (h > halfedges_[h].twin || at_infinity(halfedge)) continue;
     pairs.emplace_back(std::minmax(gain(halfedge), loss(halfedge)));
   }
   std::sort(pairs.begin(), pairs.end());
@@ -150,10 +158,9 @@ std::vector<std::pair<VertexId, VertexId>> OrderKVoronoi::delaunay_edges() const
 }
 
 std::size_t OrderKVoronoi::memory_bytes() const noexcept {
-  return points_.capacity() * sizeof(Point2) + sets_.capacity() * sizeof(VertexId) +
-         4 * (rows_.capacity() + corner_.capacity() + twin_.capacity() + face_.capacity() +
-              first_.capacity() + cell_at_.capacity()) +
-         index_->memory_bytes();
+  const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+  return bytes(points_) + bytes(rows_) + bytes(first_) + bytes(halfedges_) + bytes(origin_) +
+         bytes(outgoing_) + bytes(sets_) + bytes(cell_at_) + index_->memory_bytes();
 }
 
 }  // namespace thalweg

@@ -10,42 +10,44 @@
 namespace thalweg::detail {
 namespace {
 
-/// Gives vertex `from` the number `to`.
-void move_vertex(VoronoiMap& map, std::uint32_t from, std::uint32_t to) {
-  for (std::uint32_t slot = 0; slot < 3; ++slot) {
-    const std::uint32_t twin = map.twin[3 * from + slot];
-    map.corner[3 * to + slot] = map.corner[3 * from + slot];
-    map.twin[3 * to + slot] = twin;
-    map.twin[twin] = 3 * to + slot;
+/// An old vertex u, v, infinity lies in the middle of the infinite border of a cell, no ray reaches it: joins
+/// what it separates and leaves it without half-edges.
+void cut_out_old_infinity(VoronoiMap& map) {
+  for (std::uint32_t v = 0; v < map.old_count; ++v) {
+    if (map.corner[3 * v + 2] != kInfinity) continue;
+    std::uint32_t* twin = &map.twin[3 * v];
+    map.twin[twin[1]] = twin[2];
+    map.twin[twin[2]] = twin[1];
+    twin[1] = twin[2] = kNoHalfedge;
   }
 }
 
-/// An old vertex u, v, infinity lies in the middle of the infinite border of a cell: joins what it separates,
-/// and closes the gaps in the numbering.
-void drop_old_infinity(VoronoiMap& map) {
-  std::vector<std::uint32_t> dropped;
-  for (std::uint32_t v = 0; v < map.old_count; ++v) {
-    if (map.corner[3 * v + 2] != kInfinity) continue;
-    const std::uint32_t one = map.twin[3 * v + 1], other = map.twin[3 * v + 2];
-    map.twin[one] = other;
-    map.twin[other] = one;
-    dropped.push_back(v);
+/// Half-edges in a new order: by cells, those of the outside last.
+struct CellOrder {
+  std::vector<std::uint32_t> place;  ///< of each half-edge of the map
+  std::vector<std::uint32_t> first;  ///< of each cell, of the outside, and the end
+};
+
+CellOrder order_by_cells(const VoronoiMap& map) {
+  CellOrder order;
+  order.place.assign(map.twin.size(), kNoHalfedge);
+  std::uint32_t place = 0;
+  std::uint32_t outside = kNoHalfedge;
+  const auto number_cycle = [&](std::uint32_t first) {
+    order.first.push_back(place);
+    std::uint32_t h = first;
+    do {
+      order.place[h] = place++;
+      h = map.next(h);
+    } while (h != first);
+  };
+  for (std::uint32_t h = 0; h < map.twin.size(); ++h) {
+    if (order.place[h] != kNoHalfedge || map.twin[h] == kNoHalfedge) continue;
+    map.outside(h) ? void(outside = h) : number_cycle(h);
   }
-  const auto count = static_cast<std::uint32_t>(dropped.size());
-  const std::uint32_t old_left = map.old_count - count, left = map.vertex_count() - count;
-  std::uint32_t from = map.old_count;
-  auto last = dropped.end();
-  for (const std::uint32_t to : dropped) {
-    if (to >= old_left) break;
-    for (--from; last != dropped.begin() && *(last - 1) == from; --from) --last;
-    move_vertex(map, from, to);
-  }
-  for (std::uint32_t v = std::max(map.old_count, left), to = old_left; v < left + count; ++v, ++to) {
-    move_vertex(map, v, to);
-  }
-  map.old_count = old_left;
-  map.corner.resize(3 * std::size_t{left});
-  map.twin.resize(3 * std::size_t{left});
+  number_cycle(outside);
+  order.first.push_back(place);
+  return order;
 }
 
 }  // namespace
@@ -61,37 +63,46 @@ OrderKVoronoi VoronoiBuilder::start(std::span<const Point2> points, std::vector<
 }
 
 void VoronoiBuilder::take_map(OrderKVoronoi& diagram, VoronoiMap map) {
-  drop_old_infinity(map);
-  diagram.face_.assign(map.twin.size(), OrderKVoronoi::kNone);
-  for (std::uint32_t h = 0; h < map.twin.size(); ++h) {
-    if (diagram.face_[h] != OrderKVoronoi::kNone || map.outside(h)) continue;
-    const std::uint32_t cell = diagram.cell_count();
-    diagram.first_.push_back(h);
-    std::uint32_t g = h;
-    do {
-      diagram.face_[g] = cell;
-      g = map.next(g);
-    } while (g != h);
+  cut_out_old_infinity(map);
+  CellOrder order = order_by_cells(map);
+  diagram.first_ = std::move(order.first);
+  diagram.halfedges_.resize(diagram.first_.back());
+  diagram.origin_.resize(diagram.first_.back());
+  diagram.outgoing_.reserve(diagram.first_.back() / 3);
+  for (std::uint32_t v = 0; v < map.vertex_count(); ++v) {
+    if (v == map.old_count) diagram.old_count_ = diagram.vertex_count();
+    if (map.twin[3 * v + 1] == kNoHalfedge) continue;
+    for (std::uint32_t h = 3 * v; h < 3 * v + 3; ++h) {
+      const std::uint32_t place = order.place[h], gain = map.gain(h), loss = map.loss(h);
+      const bool at_infinity = gain == kInfinity || loss == kInfinity;
+      diagram.halfedges_[place] = {at_infinity ? kInfinity : gain, at_infinity ? kInfinity : loss,
+                                   order.place[map.twin[h]], 0};
+      diagram.origin_[place] = diagram.vertex_count();
+    }
+    diagram.outgoing_.push_back(order.place[3 * v]);
   }
-  diagram.first_.shrink_to_fit();
-  diagram.old_count_ = map.old_count;
-  diagram.corner_ = std::move(map.corner);
-  diagram.twin_ = std::move(map.twin);
+  if (map.old_count == map.vertex_count()) diagram.old_count_ = diagram.vertex_count();
+  for (std::uint32_t c = 0; c <= diagram.cell_count(); ++c) {
+    for (std::uint32_t h = diagram.first_[c]; h < diagram.first_[c + 1]; ++h) {
+      diagram.halfedges_[diagram.halfedges_[h].twin].across = c;
+    }
+  }
 }
 
-std::vector<VertexId> VoronoiBuilder::set_beside(const OrderKVoronoi& diagram, std::uint32_t h) {
-  const std::span<const Point2> sites = diagram.index_->sites();
-  const std::uint32_t* corners = &diagram.corner_[h - h % 3];
+std::vector<VertexId> VoronoiBuilder::set_of(const OrderKVoronoi& diagram, VoronoiHalfedgeId h) {
+  const Triangle circle = diagram.circle(diagram.origin(h));
+  const auto [a, b, c] = circle;
   std::vector<VertexId> set;
-  for (std::uint32_t s = 0; s < sites.size(); ++s) {
-    if (s == corners[0] || s == corners[1] || s == corners[2]) continue;
-    const bool inside =
-        incircle_canonical(sites[corners[0]], sites[corners[1]], sites[corners[2]], sites[s]) > 0;
-    if (inside) set.push_back(diagram.row(s));
+  for (const std::uint32_t row : diagram.rows_) {
+    const VertexId s(row);
+    if (s == a || s == b || s == c) continue;
+    if (incircle_canonical(diagram.point(a), diagram.point(b), diagram.point(c), diagram.point(s)) > 0) {
+      set.push_back(s);
+    }
   }
-  // The cell of an old vertex has two of its sites: the one lost across h, and that which is on neither side.
-  set.push_back(diagram.row(diagram.loss_of(h)));
-  if (h < 3 * diagram.old_count_) set.push_back(diagram.row(corners[(h % 3 + 2) % 3]));
+  // Of the three sites, the cell has all that are lost on the way out of it, and none that are gained.
+  const VertexId losses[2] = {diagram.loss(h), diagram.loss(diagram.prev(h))};
+  set.insert(set.end(), losses, losses + (losses[0] == losses[1] ? 1 : 2));
   std::sort(set.begin(), set.end());
   THALWEG_ASSERT(set.size() == diagram.order_);
   return set;
@@ -108,8 +119,8 @@ void VoronoiBuilder::spread_sets(OrderKVoronoi& diagram, std::uint32_t cell, std
     todo.pop_back();
     const VertexId* known = &sets[k * from];
     diagram.for_each_halfedge(CellId(from), [&](VoronoiHalfedgeId h) {
-      const std::uint32_t to = diagram.face_[diagram.twin_[h.index()]];
-      if (to == OrderKVoronoi::kNone || sets[k * to].valid()) return;
+      const std::uint32_t to = diagram.halfedges_[h.index()].across;
+      if (to == diagram.cell_count() || sets[k * to].valid()) return;
       const VertexId gain = diagram.gain(h), loss = diagram.loss(h);
       VertexId* out = &sets[k * to];
       bool gained = false;
@@ -127,7 +138,7 @@ void VoronoiBuilder::spread_sets(OrderKVoronoi& diagram, std::uint32_t cell, std
 }
 
 void VoronoiBuilder::one_cell(OrderKVoronoi& diagram) {
-  diagram.first_ = {OrderKVoronoi::kNone};
+  diagram.first_ = {0, 0, 0};
   for (const std::uint32_t row : diagram.rows_) diagram.sets_.push_back(VertexId(row));
   std::sort(diagram.sets_.begin(), diagram.sets_.end());
 }

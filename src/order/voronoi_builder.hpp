@@ -17,11 +17,11 @@ struct VoronoiBuilder {
   /// A diagram of the distinct sites points[rows[i]] without vertices and cells.
   static OrderKVoronoi start(std::span<const Point2> points, std::vector<std::uint32_t> rows, unsigned k,
                              std::shared_ptr<const SiteIndex> index);
-  /// Takes vertices and half-edges, and numbers the cells by their lowest half-edge. Old vertices at
+  /// Takes vertices and half-edges, and numbers the cells by their lowest half-edges. Old vertices at
   /// infinity, which no ray reaches, are left out.
   static void take_map(OrderKVoronoi& diagram, VoronoiMap map);
-  /// The set of the cell left of half-edge h, whose origin is not at infinity. Complexity: O(n).
-  static std::vector<VertexId> set_beside(const OrderKVoronoi& diagram, std::uint32_t h);
+  /// The set of the cell left of h, whose origin is not at infinity. Complexity: O(n).
+  static std::vector<VertexId> set_of(const OrderKVoronoi& diagram, VoronoiHalfedgeId h);
   /// The sets of all cells, from that of one: across an edge one site goes and one comes.
   static void spread_sets(OrderKVoronoi& diagram, std::uint32_t cell, std::vector<VertexId> set);
   /// The cell that holds each site.

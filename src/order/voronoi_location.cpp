@@ -45,17 +45,16 @@ struct NearerToCentre {
 
 template <class Nearer>
 std::uint32_t OrderKVoronoi::walk(std::uint32_t cell, Nearer&& nearer) const {
-  if (first_[cell] == kNone) return cell;
-  std::uint32_t first = first_[cell];
-  std::uint32_t h = first;
-  do {
-    const std::uint32_t gained = gain_of(h), lost = loss_of(h);
-    if (gained != kNone && lost != kNone && nearer(gained, lost)) {
-      first = h = twin_[h];
+  for (std::uint32_t h = first_[cell]; h < first_[cell + 1];) {
+    const Halfedge& halfedge = halfedges_[h];
+    if (halfedge.gain != kNone && nearer(halfedge.gain, halfedge.loss)) {
+      cell = halfedge.across;
+      h = first_[cell];
+    } else {
+      ++h;
     }
-    h = next(VoronoiHalfedgeId(h)).index();
-  } while (h != first);
-  return face_[h];
+  }
+  return cell;
 }
 
 CellId OrderKVoronoi::locate(Point2 q) const {
