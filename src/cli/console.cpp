@@ -67,8 +67,10 @@ void Console::say(std::string_view prefix, std::string_view message) {
 void Console::progress(std::string_view stage, double fraction) {
   if (!draws_) return;
   const auto now = std::chrono::steady_clock::now();
-  if (drawn_ && now - last_draw_ < std::chrono::milliseconds(100)) return;
+  // A stage may be announced once and then last for minutes, so a new one is never passed over.
+  if (drawn_ && stage == stage_ && now - last_draw_ < std::chrono::milliseconds(100)) return;
   last_draw_ = now;
+  stage_ = stage;
   drawn_ = true;
   constexpr int kWidth = 30;
   const double share = std::clamp(fraction, 0.0, 1.0);

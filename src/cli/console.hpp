@@ -35,7 +35,8 @@ class Console {
   void detail(std::string_view line);  ///< with -v only
   bool quiet() const noexcept { return quiet_; }
 
-  /// Draws the bar at `fraction` in [0, 1]; at most ten times a second, however often it is called.
+  /// Draws the bar at `fraction` in [0, 1]; within a stage at most ten times a second, however often it is
+  /// called.
   void progress(std::string_view stage, double fraction);
   void erase_bar();
 
@@ -46,6 +47,7 @@ class Console {
   bool quiet_ = false;
   bool verbose_ = false;
   bool drawn_ = false;
+  std::string stage_;
   std::chrono::steady_clock::time_point last_draw_ = {};
 };
 

@@ -15,6 +15,13 @@ bool is_stdout(const std::string& path) {
   return path == "-" || path == "/dev/stdout";
 }
 
+/// Whether the output cannot be taken back: stdout, a device, a pipe.
+bool written_in_place(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return is_stdout(path) || (fs::exists(status) && !fs::is_regular_file(status));
+}
+
 /// Whether both paths are one file, now or once it is written. Devices can take any number of outputs.
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
@@ -99,15 +106,17 @@ std::optional<Error> OutputBatch::add(const std::string& path, const Write& writ
   if (!file) return file.error();
   if (auto error = write(*file)) return error;
   if (file->error()) return file->error();
-  files_.push_back(std::move(*file));
+  (written_in_place(path) ? streams_ : files_).push_back(std::move(*file));
   return std::nullopt;
 }
 
 std::optional<Error> OutputBatch::commit() {
-  for (io::OutputFile& file : files_) {
-    if (auto error = file.commit()) return error;
+  for (std::vector<io::OutputFile>* outputs : {&streams_, &files_}) {
+    for (io::OutputFile& output : *outputs) {
+      if (auto error = output.commit()) return error;
+    }
+    outputs->clear();
   }
-  files_.clear();
   return std::nullopt;
 }
 

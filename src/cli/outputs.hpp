@@ -50,11 +50,13 @@ class OutputBatch {
   /// Opens `path` and has it written. Nothing, or the error; then no file of the batch must be committed.
   [[nodiscard]] std::optional<Error> add(const std::string& path, const Write& write);
 
-  /// Gives every file its name, in the order of `add`. Nothing, or the first error.
+  /// Finishes stdout and devices, where most can still go wrong, then gives every file its name. Nothing, or
+  /// the first error.
   [[nodiscard]] std::optional<Error> commit();
 
  private:
   io::OutputOptions options_;
+  std::vector<io::OutputFile> streams_;
   std::vector<io::OutputFile> files_;
 };
 

@@ -41,7 +41,7 @@ TEST_F(CliCheck, ListsFaultsWithCountsAndExamples) {
   write_square("f 1 2 3\nf 1 4 3\n");
   const Json clockwise = faults();
   ASSERT_GE(clockwise.size(), 1u);
-  EXPECT_EQ(clockwise[0]["kind"], "clockwise");
+  EXPECT_EQ(clockwise[0]["kind"], "clockwise triangle");
   EXPECT_EQ(clockwise[0]["count"], 1);
   EXPECT_GE(clockwise[0]["examples"].size(), 1u);
 
