@@ -41,6 +41,7 @@ void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, Mak
   const std::size_t chunks = (count + chunk - 1) / chunk;
   const auto helpers = static_cast<unsigned>(std::min<std::size_t>(resolve_threads(threads), chunks));
   std::vector<std::thread> pool;
+  pool.reserve(helpers);  // so that nothing is thrown once threads run, but by a thread that cannot start
   try {
     for (unsigned i = 1; i < helpers; ++i) pool.emplace_back(run);
   } catch (const std::system_error&) {
