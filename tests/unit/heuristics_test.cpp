@@ -299,4 +299,22 @@ RC_GTEST_PROP(FlipPitsLaws, PitsAreWhatIsFoundAfterwards, ()) {
   for (const std::uint32_t v : named) RC_ASSERT(named.count(v) == 1u);
 }
 
+/// When a run of order k ends, no flip towards the lowest corner is left of which both triangles are of order
+/// k; not even one that became possible late.
+RC_GTEST_PROP(FlipPitsLaws, LeaveNothingToFlip, ()) {
+  const auto cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto s = oracle::sites_of(std::span<const Point3>(cloud.points));
+  const unsigned k = support::random_index(7);
+  const thalweg::Triangulation t = flip_pits(surface, k, {}).triangulation;
+  for (std::uint32_t i = 0; i < t.halfedge_count(); ++i) {
+    const thalweg::HalfedgeId h(i);
+    if (k == 0 || !support::flippable(s, t, h)) continue;
+    const VertexId a = t.origin(h), b = t.dest(h), c = t.apex(h), d = t.apex(t.twin(h));
+    const bool towards_lowest = surface.lower(c, a) && surface.lower(c, b) && surface.lower(c, d);
+    RC_ASSERT(!towards_lowest || std::max(oracle::triangle_order(s, d.index(), c.index(), a.index()),
+                                          oracle::triangle_order(s, c.index(), d.index(), b.index())) > k);
+  }
+}
+
 }  // namespace

@@ -115,6 +115,15 @@ TEST(MergeSites, MeanDoesNotOverflow) {
   EXPECT_EQ(elevation({tiny, 3 * tiny}, DuplicatePolicy::mean), 2 * tiny);
 }
 
+TEST(MergeSites, MeanLiesBetweenItsValues) {
+  // Rounded sums of many values can leave their range.
+  std::vector<double> z(9, 0.1);
+  z.push_back(std::nextafter(0.1, 1));
+  const double mean = elevation(z, DuplicatePolicy::mean);
+  EXPECT_GE(mean, z.front());
+  EXPECT_LE(mean, z.back());
+}
+
 TEST(MergeSites, MeanDoesNotDependOnTheOrderOfRows) {
   std::vector<double> z = {0.1, 1e16, -1e16, 0.3, 7e-9, 0.7};
   std::sort(z.begin(), z.end());
