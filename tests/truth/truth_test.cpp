@@ -97,8 +97,8 @@ TEST_P(TruthTest, ResultsAreValidAndNeverBelowTheOptimum) {
   }
 }
 
-/// At order 1 hulls of useful edges never overlap, and a flip changes nothing beside itself: both heuristics
-/// are optimal (the paper's Theorem on order 1).
+/// At order 1 hulls never stand in each other's way. Flips can, but only with collinear sites or level
+/// ground, and in none of these sets.
 TEST_P(TruthTest, HeuristicsAreOptimalAtOrderOne) {
   int flip_worse = 0, hull_worse = 0, best_worse = 0;
   for (const Truth& truth : sets_) {
