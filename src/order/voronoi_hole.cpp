@@ -17,14 +17,10 @@ constexpr std::size_t kManySides = 40;
 
 }  // namespace
 
-/// Whether d is inside the circle a, b, c; for c = infinity, left of ab or on the open segment.
+/// Whether d is inside the circle a, b, c; for c = infinity, to the left of ab.
 bool HoleFiller::inside(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const noexcept {
-  if (c != kInfinity) return incircle_canonical(sites_[a], sites_[b], sites_[c], sites_[d]) > 0;
-  const int side = orient2d_sign(sites_[a], sites_[b], sites_[d]);
-  if (side != 0) return side > 0;
-  const bool after_a = lexicographically_less(sites_[a], sites_[d]);
-  const bool after_b = lexicographically_less(sites_[b], sites_[d]);
-  return after_a != after_b;
+  if (c == kInfinity) return orient2d_sign(sites_[a], sites_[b], sites_[d]) > 0;
+  return incircle_canonical(sites_[a], sites_[b], sites_[c], sites_[d]) > 0;
 }
 
 // The triangle sought is Delaunay: its circle holds none of the other sites. So its apex takes the place of

@@ -1,0 +1,362 @@
+/// The order-k Voronoi diagram: sizes, small and degenerate sets, many queries, polygons, errors.
+#include "thalweg/order_k_voronoi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "oracle/voronoi.hpp"
+#include "support/cloud.hpp"
+#include "thalweg/circle_count.hpp"
+#include "thalweg/delaunay.hpp"
+#include "thalweg/predicates.hpp"
+#include "thalweg/voronoi_counter.hpp"
+
+namespace {
+
+using thalweg::CellId;
+using thalweg::ErrorCode;
+using thalweg::OrderKVoronoi;
+using thalweg::Point2;
+using thalweg::VertexId;
+using thalweg::VoronoiHalfedgeId;
+using thalweg::VoronoiVertexId;
+
+OrderKVoronoi diagram_of(const std::vector<Point2>& points, unsigned k, unsigned threads = 1) {
+  auto result = thalweg::order_k_voronoi(points, k, {.threads = threads});
+  EXPECT_TRUE(static_cast<bool>(result));
+  return std::move(*result);
+}
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint32_t below(std::uint32_t n) {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<std::uint32_t>((state_ >> 33) % n);
+  }
+  double unit() { return (below(1u << 30) + 0.5) * 0x1p-30; }
+  /// An integer point of [0, n)^2.
+  Point2 point(std::uint32_t n) {
+    const double x = below(n);
+    return {x, static_cast<double>(below(n))};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+std::vector<Point2> random_points(std::size_t count, std::uint32_t size, std::uint64_t seed) {
+  Random random(seed);
+  std::set<std::pair<double, double>> distinct;
+  std::vector<Point2> points;
+  while (points.size() < count) {
+    const Point2 p = random.point(size);
+    if (distinct.emplace(p.x, p.y).second) points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<Point2> grid(int width, int height) {
+  std::vector<Point2> points;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) points.push_back({static_cast<double>(x), static_cast<double>(y)});
+  }
+  return points;
+}
+
+std::uint32_t unbounded_cells(const OrderKVoronoi& diagram) {
+  std::uint32_t count = 0;
+  for (std::uint32_t c = 0; c < diagram.cell_count(); ++c) count += diagram.unbounded(CellId(c));
+  return count;
+}
+
+std::vector<std::uint32_t> rows(const std::vector<VertexId>& sites) {
+  std::vector<std::uint32_t> result;
+  for (const VertexId v : sites) result.push_back(v.index());
+  return result;
+}
+
+/// Nearest by scanning all points: integer coordinates and queries, below 2^25.
+std::vector<std::uint32_t> scan(const std::vector<Point2>& points, Point2 q, std::size_t k) {
+  std::vector<std::tuple<double, double, double, std::uint32_t>> keys;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const double x = points[i].x - q.x, y = points[i].y - q.y;
+    keys.emplace_back(x * x + y * y, points[i].x, points[i].y, i);
+  }
+  std::partial_sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(k), keys.end());
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0; i < k; ++i) result.push_back(std::get<3>(keys[i]));
+  return result;
+}
+
+/// Lee's formula: 2 k n - k^2 - n + 1 - the unbounded cells of all lower orders.
+std::int64_t lee(std::int64_t n, std::int64_t k, std::int64_t unbounded_below) {
+  return 2 * k * n - k * k - n + 1 - unbounded_below;
+}
+
+TEST(OrderKVoronoi, HasAsManyCellsAsLeeSays) {
+  // First the formula itself, on small sets by testing every circle: a cell is unbounded if a line cuts it
+  // off.
+  const auto few = random_points(9, 1000, 5);
+  const auto sites = oracle::sites_of(few);
+  std::int64_t unbounded = 0;
+  for (unsigned k = 1; k < few.size(); ++k) {
+    const oracle::Voronoi expected = oracle::voronoi(sites, k);
+    EXPECT_EQ(static_cast<std::int64_t>(expected.cells.size()), lee(9, k, unbounded)) << k;
+    // Half-planes with k - 1 sites inside: as many rays as unbounded cells.
+    for (std::size_t a = 0; a < sites.size(); ++a) {
+      for (std::size_t b = 0; b < sites.size(); ++b) {
+        const auto left = std::count_if(sites.begin(), sites.end(), [&](const oracle::Site& s) {
+          return oracle::turn(sites[a], sites[b], s) > 0;
+        });
+        unbounded += a != b && left == static_cast<std::int64_t>(k) - 1;
+      }
+    }
+  }
+  const auto many = random_points(500, 1 << 24, 7);
+  unbounded = 0;
+  for (unsigned k = 1; k < 14; ++k) {
+    const OrderKVoronoi diagram = diagram_of(many, k);
+    EXPECT_EQ(static_cast<std::int64_t>(diagram.cell_count()), lee(500, k, unbounded)) << k;
+    unbounded += unbounded_cells(diagram);
+  }
+}
+
+TEST(OrderKVoronoi, OfOrderOneIsTheDualOfDelaunay) {
+  for (const auto& points : {grid(7, 5), random_points(100, 30, 3)}) {
+    const auto mesh = thalweg::delaunay(points);
+    const OrderKVoronoi diagram = diagram_of(points, 1);
+    std::set<std::pair<VertexId, VertexId>> joined;
+    for (std::uint32_t h = 0; h < mesh->halfedge_count(); ++h) {
+      const thalweg::HalfedgeId edge(h);
+      joined.insert(std::minmax(mesh->origin(edge), mesh->dest(edge)));
+    }
+    const auto edges = diagram.delaunay_edges();
+    EXPECT_TRUE(std::equal(edges.begin(), edges.end(), joined.begin(), joined.end()));
+    EXPECT_EQ(diagram.cell_count(), points.size());
+  }
+}
+
+TEST(OrderKVoronoi, OfFewSites) {
+  EXPECT_EQ(rows(diagram_of({{3, 4}}, 1).nearest({-1e300, 7})), std::vector<std::uint32_t>{0});
+
+  const OrderKVoronoi two = diagram_of({{0, 0}, {2, 0}}, 1);
+  EXPECT_EQ(two.cell_count(), 2u);
+  EXPECT_EQ(two.halfedge_count(), 6u);
+  EXPECT_TRUE(two.unbounded(CellId(0)) && two.unbounded(CellId(1)));
+  EXPECT_EQ(rows(two.nearest({1, 5})), std::vector<std::uint32_t>{0});  // as near as (2, 0), which is larger
+  EXPECT_EQ(rows(two.nearest({std::nextafter(1, 2), 5})), std::vector<std::uint32_t>{1});
+
+  const OrderKVoronoi whole = diagram_of({{0, 0}, {2, 0}, {0, 1}}, 3);
+  EXPECT_EQ(whole.cell_count(), 1u);
+  EXPECT_EQ(whole.vertex_count(), 0u);
+  EXPECT_FALSE(whole.halfedge(CellId(0)).valid());
+  EXPECT_TRUE(whole.unbounded(CellId(0)));
+  EXPECT_EQ(rows(whole.nearest({9, 0})), (std::vector<std::uint32_t>{1, 0, 2}));
+
+  const OrderKVoronoi three = diagram_of({{0, 0}, {2, 0}, {0, 1}}, 2);
+  EXPECT_EQ(three.cell_count(), 3u);
+  EXPECT_EQ(three.vertex_count(), 4u);  // the circle of all three, and three rays
+}
+
+TEST(OrderKVoronoi, TakesTheFirstOfEqualRows) {
+  const std::vector<Point2> points = {{5, 5}, {0, 0}, {5, 5}, {-0.0, 0}, {9, 1}, {5, 5}, {2, 7}};
+  const OrderKVoronoi diagram = diagram_of(points, 2);
+  EXPECT_EQ(diagram.site_count(), 4u);
+  EXPECT_EQ(rows(diagram.nearest({4, 4})), (std::vector<std::uint32_t>{0, 6}));
+  EXPECT_EQ(rows(diagram.nearest({0, 0})), (std::vector<std::uint32_t>{1, 0}));
+}
+
+TEST(OrderKVoronoi, RefusesWhatIsNoDiagram) {
+  const auto code = [](const std::vector<Point2>& points, unsigned k) {
+    const auto result = thalweg::order_k_voronoi(points, k);
+    return result ? std::string("none") : std::to_string(static_cast<int>(result.error().code));
+  };
+  const auto expected = [](ErrorCode error) { return std::to_string(static_cast<int>(error)); };
+  EXPECT_EQ(code({}, 1), expected(ErrorCode::invalid_argument));
+  EXPECT_EQ(code({{0, 0}, {1, 1}}, 0), expected(ErrorCode::invalid_argument));
+  EXPECT_EQ(code({{0, 0}, {1, 1}, {0, 0}}, 3), expected(ErrorCode::invalid_argument));
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(code({{0, 0}, {nan, 1}}, 1), expected(ErrorCode::not_finite));
+  const auto result = thalweg::order_k_voronoi(std::vector<Point2>{{0, 0}, {1, infinity}, {nan, 0}}, 1);
+  EXPECT_EQ(result.error().rows, (std::vector<std::uint32_t>{1, 2}));
+}
+
+TEST(OrderKVoronoi, AnswersAHundredThousandQueriesAsAScanDoes) {
+  constexpr std::uint32_t kSize = 1 << 12;
+  const auto points = random_points(150, kSize, 11);
+  const OrderKVoronoi diagram = diagram_of(points, 5);
+  Random random(13);
+  int wrong = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Point2 a = points[random.below(150)], b = points[random.below(150)];
+    Point2 q = random.point(kSize);
+    if (i % 4 == 1) q = {(a.x + b.x) / 2, (a.y + b.y) / 2};  // on an edge of some order
+    if (i % 4 == 2) q = {(a.x + b.x) / 2 + (b.y - a.y), (a.y + b.y) / 2 - (b.x - a.x)};  // likewise
+    if (i % 4 == 3) q = {(q.x - kSize / 2) * 2048, (q.y - kSize / 2) * 2048};            // far outside
+    wrong += rows(diagram.nearest(q)) != scan(points, q, 5);
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(OrderKVoronoi, AnswersExtremeQueriesExactly) {
+  const auto points = random_points(40, 50, 17);
+  const OrderKVoronoi diagram = diagram_of(points, 4);
+  std::vector<Point2> queries;
+  for (const double far : {1e17, 1e150, 1e300, std::numeric_limits<double>::max()}) {
+    for (const Point2 p : {Point2{1, 0}, Point2{0, -1}, Point2{-1, 1}, Point2{0.3, 0.7}, Point2{1e-9, -1}}) {
+      queries.push_back({p.x * far, p.y * far});
+    }
+  }
+  queries.push_back({25, std::numeric_limits<double>::denorm_min()});
+  // The centres of circles, rounded, and an ulp beside.
+  for (std::uint32_t v = 0; v < diagram.vertex_count(); ++v) {
+    if (diagram.at_infinity(VoronoiVertexId(v))) continue;
+    const auto circle = diagram.circle(VoronoiVertexId(v));
+    const Point2 a = diagram.point(circle[0]), b = diagram.point(circle[1]), c = diagram.point(circle[2]);
+    const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+    const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy, area = 2 * (bx * cy - by * cx);
+    const Point2 q = {a.x + (cy * b2 - by * c2) / area, a.y + (bx * c2 - cx * b2) / area};
+    queries.push_back(q);
+    queries.push_back({std::nextafter(q.x, 1e9), q.y});
+  }
+  for (const Point2 q : queries) {
+    EXPECT_EQ(rows(diagram.nearest(q)), oracle::k_nearest(points, q, 4)) << q.x << ' ' << q.y;
+  }
+}
+
+/// Degenerate sets, with as many cocircular or collinear sites as make cells of very many sides.
+std::vector<std::pair<std::string, std::vector<Point2>>> degenerate_sets() {
+  std::vector<std::pair<std::string, std::vector<Point2>>> sets;
+  sets.emplace_back("grid", grid(16, 11));
+  sets.emplace_back("ring", support::integer_circle(5 * 13 * 17 * 29));
+  sets.emplace_back("hub", sets.back().second);
+  sets.back().second.push_back({1, 0});
+  sets.back().second.push_back({0, 3});
+  sets.emplace_back("ring and two far sites that see a side of it each", sets[1].second);
+  sets.back().second.push_back({200000, 1000});
+  sets.back().second.push_back({-50000, 300000});
+  sets.emplace_back("line", std::vector<Point2>());
+  for (int i = 0; i < 90; ++i) sets.back().second.push_back({2.0 * ((i * 37) % 90), 1.0 * ((i * 37) % 90)});
+  sets.emplace_back("line and one", sets.back().second);
+  sets.back().second.push_back({80, 60});
+  sets.emplace_back("line and both sides", sets.back().second);
+  sets.back().second.push_back({90, 20});
+  sets.emplace_back("two lines", std::vector<Point2>());
+  for (int i = 0; i < 60; ++i) sets.back().second.push_back({1.0 * (i / 2), 3.0 * (i % 2)});
+  return sets;
+}
+
+TEST(OrderKVoronoi, OfDegenerateSets) {
+  for (const auto& [name, points] : degenerate_sets()) {
+    Random random(19);
+    std::vector<unsigned> orders = {1, 2, 3, 7, static_cast<unsigned>(points.size()) - 1};
+    if (points.size() > 200) orders.pop_back();
+    for (const unsigned k : orders) {
+      const OrderKVoronoi diagram = diagram_of(points, k);
+      for (int i = 0; i < 400; ++i) {
+        const auto any = [&] { return points[random.below(static_cast<std::uint32_t>(points.size()))]; };
+        const Point2 a = any(), b = any();
+        const Point2 q = i % 3 == 0 ? a : Point2{(a.x + b.x) / 2, (a.y + b.y) / 2};
+        ASSERT_EQ(rows(diagram.nearest(q)), scan(points, q, k))
+            << name << ' ' << k << ' ' << q.x << ' ' << q.y;
+      }
+      ASSERT_EQ(rows(diagram.nearest({0, 0})), scan(points, {0, 0}, k)) << name << ' ' << k;
+    }
+  }
+}
+
+TEST(OrderKVoronoi, OfDegenerateSetsDoesNotDependOnThreads) {
+  for (auto [name, points] : degenerate_sets()) {
+    for (const unsigned k : {2u, 5u}) {
+      const OrderKVoronoi one = diagram_of(points, k, 1), several = diagram_of(points, k, 3);
+      ASSERT_EQ(one.halfedge_count(), several.halfedge_count()) << name;
+      for (std::uint32_t h = 0; h < one.halfedge_count(); ++h) {
+        ASSERT_EQ(one.twin(VoronoiHalfedgeId(h)), several.twin(VoronoiHalfedgeId(h))) << name;
+      }
+    }
+  }
+}
+
+TEST(OrderKVoronoi, OfManySitesDoesNotDependOnThreads) {
+  const auto points = random_points(6000, 1 << 20, 23);
+  const OrderKVoronoi one = diagram_of(points, 4, 1), two = diagram_of(points, 4, 2);
+  ASSERT_EQ(one.cell_count(), two.cell_count());
+  for (std::uint32_t c = 0; c < one.cell_count(); ++c) {
+    ASSERT_TRUE(std::ranges::equal(one.sites(CellId(c)), two.sites(CellId(c))));
+  }
+}
+
+double area(const std::vector<Point2>& polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point2 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+    sum += (p.x * q.y - p.y * q.x) / 2;
+  }
+  return sum;
+}
+
+TEST(OrderKVoronoi, PolygonsTileTheBox) {
+  const thalweg::Box box{{-3, -2}, {13, 9}};
+  for (const auto& points : {random_points(60, 11, 29), grid(9, 8), {{0, 0}, {1, 1}, {5, 5}, {7, 7}}}) {
+    for (const unsigned k : {1u, 2u, 3u, 4u}) {
+      const OrderKVoronoi diagram = diagram_of(points, k);
+      double total = 0;
+      for (std::uint32_t c = 0; c < diagram.cell_count(); ++c) {
+        const auto polygon = diagram.polygon(CellId(c), box);
+        const double size = area(polygon);
+        total += size;
+        if (size < 1e-6) continue;
+        Point2 middle{0, 0};
+        for (const Point2 p : polygon) {
+          const auto count = static_cast<double>(polygon.size());
+          middle = {middle.x + p.x / count, middle.y + p.y / count};
+        }
+        EXPECT_EQ(diagram.locate(middle), CellId(c));
+      }
+      EXPECT_NEAR(total, 16 * 11, 1e-9);
+    }
+  }
+}
+
+TEST(OrderKVoronoi, PolygonsMayBeEmpty) {
+  const OrderKVoronoi diagram = diagram_of(grid(2, 2), 2);
+  // Of four sites on one circle: four cells of pairs along sides, and a diagonal's, which has no area.
+  std::size_t with_area = 0;
+  for (std::uint32_t c = 0; c < diagram.cell_count(); ++c) {
+    with_area += !diagram.polygon(CellId(c), {{-1, -1}, {2, 2}}).empty();
+  }
+  EXPECT_EQ(diagram.cell_count(), 5u);
+  EXPECT_EQ(with_area, 4u);
+  EXPECT_TRUE(diagram.polygon(CellId(0), {{1, 1}, {1, 2}}).empty());
+}
+
+TEST(VoronoiCounter, CountsAsTheGraphSearchOnGridsAndRings) {
+  for (const auto& [name, points] : degenerate_sets()) {
+    if (name == "line") continue;
+    const auto mesh = thalweg::delaunay(points);
+    const thalweg::DelaunayGraph graph(points, *mesh);
+    thalweg::CircleCounter crawl(graph);
+    const OrderKVoronoi diagram = diagram_of(points, 6);
+    thalweg::VoronoiCounter voronoi(diagram);
+    Random random(31);
+    for (int i = 0; i < 3000; ++i) {
+      const auto any = [&] { return VertexId(random.below(static_cast<std::uint32_t>(points.size()))); };
+      const VertexId u = any(), v = any(), w = any();
+      if (thalweg::orient2d(points[u.index()], points[v.index()], points[w.index()]) <= 0) continue;
+      for (const unsigned limit : {0u, 2u, 5u}) {
+        ASSERT_EQ(voronoi.count_in_circle(u, v, w, limit), crawl.count_in_circle(u, v, w, limit)) << name;
+      }
+    }
+    EXPECT_EQ(voronoi.calls(), crawl.calls());
+  }
+}
+
+}  // namespace
