@@ -14,7 +14,8 @@
 namespace support {
 
 inline constexpr thalweg::Method kMethods[] = {thalweg::Method::delaunay, thalweg::Method::flip,
-                                               thalweg::Method::hull, thalweg::Method::best};
+                                               thalweg::Method::hull, thalweg::Method::best,
+                                               thalweg::Method::exact};
 
 inline const char* method_name(thalweg::Method method) {
   switch (method) {
@@ -26,6 +27,10 @@ inline const char* method_name(thalweg::Method method) {
       return "hull";
     case thalweg::Method::best:
       return "best";
+    case thalweg::Method::exact:
+      return "exact";
+    case thalweg::Method::exact:
+      return "exact";
   }
   return "?";
 }
