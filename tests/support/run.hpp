@@ -29,8 +29,6 @@ inline const char* method_name(thalweg::Method method) {
       return "best";
     case thalweg::Method::exact:
       return "exact";
-    case thalweg::Method::exact:
-      return "exact";
   }
   return "?";
 }
