@@ -14,15 +14,6 @@ namespace {
 /// Half-edges that one thread looks at before it asks for more.
 constexpr std::size_t kChunk = 3 << 13;
 
-/// Whether h is the lowest half-edge around a cell.
-bool first_of_cell(const VoronoiMap& map, std::uint32_t h) noexcept {
-  if (map.outside(h)) return false;
-  for (std::uint32_t g = map.next(h); g != h; g = map.next(g)) {
-    if (g < h) return false;
-  }
-  return true;
-}
-
 /// The polygon of the sites gained around the cell of h, infinity last.
 ///
 /// From a new vertex a0, a1, a2 the cell I + a[s+1], that left of slot s, gains a[s+2] on the edge before and
@@ -43,29 +34,42 @@ void collect_sides(const VoronoiMap& map, std::uint32_t first, std::vector<HoleS
   THALWEG_ASSERT(sides.size() >= 2);
 }
 
-/// The cells whose lowest half-edge is in one chunk, and how many vertices they will have inside.
+/// The cells whose lowest half-edge out of a new vertex is in one chunk, and how many vertices they will have
+/// inside.
 struct CellChunk {
   std::vector<std::uint32_t> first;
   std::uint64_t vertices = 0;
 };
 
+/// Every cell has at least two half-edges out of new vertices, one for each side of its hole: to look at
+/// these suffices. What the walk around one cell has seen of the chunk need not be looked at again.
+void find_cells_from(const VoronoiMap& map, std::size_t begin, std::size_t end, std::vector<char>& seen,
+                     CellChunk& chunk) {
+  seen.assign(end - begin, 0);
+  for (std::size_t h = begin; h < end; ++h) {
+    const auto first = static_cast<std::uint32_t>(h);
+    if (seen[h - begin] != 0 || map.outside(first)) continue;
+    std::uint64_t sides = 1;
+    std::uint32_t lowest = first;
+    for (std::uint32_t g = map.next(first); g != first; g = map.next(g)) {
+      if (!map.is_new(g)) continue;
+      ++sides;
+      lowest = std::min(lowest, g);
+      if (g >= begin && g < end) seen[g - begin] = 1;
+    }
+    if (lowest != first) continue;
+    chunk.first.push_back(first);
+    chunk.vertices += sides - 2;
+  }
+}
+
 std::vector<CellChunk> find_cells(const VoronoiMap& map, unsigned threads) {
-  const std::size_t count = map.twin.size();
+  const std::size_t offset = 3 * std::size_t{map.old_count};
+  const std::size_t count = map.twin.size() - offset;
   std::vector<CellChunk> chunks((count + kChunk - 1) / kChunk);
   parallel_chunks(count, kChunk, threads, [&] {
-    return [&](std::size_t begin, std::size_t end) {
-      CellChunk& chunk = chunks[begin / kChunk];
-      for (auto h = static_cast<std::uint32_t>(begin); h < end; ++h) {
-        if (!first_of_cell(map, h)) continue;
-        chunk.first.push_back(h);
-        std::uint64_t sides = 0;
-        std::uint32_t g = h;
-        do {
-          sides += map.is_new(g);
-          g = map.next(g);
-        } while (g != h);
-        chunk.vertices += sides - 2;
-      }
+    return [&, seen = std::vector<char>()](std::size_t begin, std::size_t end) mutable {
+      find_cells_from(map, offset + begin, offset + end, seen, chunks[begin / kChunk]);
     };
   });
   return chunks;
