@@ -22,7 +22,8 @@ rc::Gen<unsigned> orders() {
 }
 
 Method any_method() {
-  const Method method = *rc::gen::element(Method::delaunay, Method::flip, Method::hull, Method::best);
+  const Method method =
+      *rc::gen::element(Method::delaunay, Method::flip, Method::hull, Method::best, Method::exact);
   RC_LOG() << "method " << support::method_name(method) << "\n";
   return method;
 }
@@ -53,12 +54,13 @@ RC_GTEST_PROP(MinimizeLaws, BoundAndResultEncloseTheOptimum, ()) {
   const Cloud cloud = *support::clouds(7);
   const auto fewest = oracle::fewest_pits(oracle::sites_of(std::span<const thalweg::Point3>(cloud.points)));
   for (unsigned k = 0; k < fewest.size(); ++k) {
-    for (const Method method : {Method::flip, Method::hull, Method::best}) {
+    for (const Method method : {Method::flip, Method::hull, Method::best, Method::exact}) {
       RC_LOG() << support::method_name(method) << " at order " << k << "\n";
       const Minimized m = minimize(cloud, method, k);
       RC_ASSERT(m.lower_bound <= fewest[k]);
       RC_ASSERT(m.pits.total >= fewest[k]);
       RC_ASSERT(!m.certified || m.pits.total == fewest[k]);
+      RC_ASSERT(method != Method::exact || m.pits.total == fewest[k]);
       // At order 1 the hull heuristic is optimal; flips can get into each other's way, see below.
       RC_ASSERT(k != 1 || method == Method::flip || m.pits.total == fewest[k]);
     }

@@ -128,6 +128,17 @@ TEST_P(TruthTest, BestIsOptimalAndCertified) {
   EXPECT_LE(open, std::string(GetParam()) == "adversarial.jsonl" ? 2 : 0);
 }
 
+TEST_P(TruthTest, ExactIsOptimal) {
+  for (const Truth& truth : sets_) {
+    SCOPED_TRACE(printed(truth));
+    for (unsigned k = 0; k < truth.min_pits.size(); ++k) {
+      const Minimized m = minimize(truth.cloud, Method::exact, k);
+      ASSERT_EQ(m.pits.total, truth.min_pits[k]) << "order " << k;
+      ASSERT_TRUE(m.certified) << "order " << k;
+    }
+  }
+}
+
 TEST_P(TruthTest, LargerOrderIsNeverWorse) {
   for (const Truth& truth : sets_) {
     SCOPED_TRACE(printed(truth));
