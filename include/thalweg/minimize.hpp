@@ -138,7 +138,7 @@ struct Sweep {
 
 /// The counts of minimize_pits for every order from `first` to `last` and each method, sharing all that the
 /// runs have in common. Uses duplicates, threads, progress and cancel of the options. Errors: as
-/// minimize_pits; invalid_argument if first > last.
+/// minimize_pits; invalid_argument if first > last, or for more than a million orders.
 Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
                          const MinimizeOptions& options = {});
 

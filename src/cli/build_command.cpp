@@ -45,6 +45,7 @@ struct BuildOptions {
   OutputPaths outputs;
   unsigned order = 8;
   Method method = Method::best;
+  double time_limit = 60;
   DuplicatePolicy duplicates = DuplicatePolicy::lowest;
   std::string pits;
   bool fail_on_pits = false;
@@ -91,6 +92,7 @@ MinimizeOptions minimize_options(const BuildOptions& options, Console& console) 
   MinimizeOptions minimize;
   minimize.order = options.order;
   minimize.method = options.method;
+  minimize.time_limit = options.time_limit;
   minimize.duplicates = options.duplicates;
   minimize.threads = options.run.threads;
   minimize.cancel = &interrupted();
@@ -216,9 +218,17 @@ Command add_build(CLI::App& thalweg) {
             [options](unsigned k) { options->order = k; });
   add_parsed<Method>(
       *app, "-m,--method", "METHOD",
-      "delaunay (remove nothing), flip, hull, or best, which is never worse than the others (default: best)",
+      "delaunay (remove nothing), flip, hull, best, which is never worse than these and nearly always "
+      "proved\n"
+      "to be optimal, or exact, which goes on searching where it is not (default: best)",
       "a method: " + std::string(kMethodNames), [](const std::string& s) { return parse_method(s); },
       [options](Method m) { options->method = m; });
+  add_parsed<double>(
+      *app, "--time-limit", "SECONDS",
+      "How long -m exact may go on searching; then the best found and the bound are reported (default: 60;\n"
+      "0: until the end)",
+      "a number of seconds, 0 or more", [](const std::string& s) { return parse_seconds(s); },
+      [options](double seconds) { options->time_limit = seconds; });
   add_pit_options(*app, options->pits, options->fail_on_pits);
   add_duplicates(*app, options->duplicates);
   add_parsed<std::uint64_t>(

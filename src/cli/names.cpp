@@ -11,8 +11,11 @@ namespace {
 template <class Value, std::size_t N>
 using Names = std::array<std::pair<std::string_view, Value>, N>;
 
-constexpr Names<Method, 4> kMethods = {
-    {{"delaunay", Method::delaunay}, {"flip", Method::flip}, {"hull", Method::hull}, {"best", Method::best}}};
+constexpr Names<Method, 5> kMethods = {{{"delaunay", Method::delaunay},
+                                        {"flip", Method::flip},
+                                        {"hull", Method::hull},
+                                        {"best", Method::best},
+                                        {"exact", Method::exact}}};
 
 constexpr Names<DuplicatePolicy, 6> kPolicies = {{{"lowest", DuplicatePolicy::lowest},
                                                   {"highest", DuplicatePolicy::highest},

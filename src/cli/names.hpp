@@ -20,7 +20,7 @@ std::optional<DuplicatePolicy> parse_policy(std::string_view name) noexcept;
 std::string_view name_of(PitReason reason) noexcept;
 
 /// For messages: every legal name, separated by commas.
-inline constexpr std::string_view kMethodNames = "delaunay, flip, hull, best";
+inline constexpr std::string_view kMethodNames = "delaunay, flip, hull, best, exact";
 inline constexpr std::string_view kPolicyNames = "lowest, highest, mean, first, last, error";
 
 }  // namespace thalweg::cli

@@ -40,6 +40,16 @@ std::optional<std::uint64_t> parse_bytes(std::string_view text) noexcept {
   return static_cast<std::uint64_t>(value);
 }
 
+std::optional<double> parse_seconds(std::string_view text) noexcept {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, value, std::chars_format::fixed);
+  if (text.empty() || fault != std::errc{} || stop != end || !std::isfinite(value) || value < 0) {
+    return std::nullopt;
+  }
+  return value;
+}
+
 std::optional<OrderRange> parse_range(std::string_view text) noexcept {
   constexpr std::uint64_t kMost = std::numeric_limits<unsigned>::max() - 1;
   const std::size_t dots = text.find("..");

@@ -14,6 +14,9 @@ std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t mo
 /// A number of bytes: "8G", "1.5 GB", "500MiB", "4096". K, M, G, T are powers of 1024, in either case.
 std::optional<std::uint64_t> parse_bytes(std::string_view text) noexcept;
 
+/// A number of seconds that is finite and not negative: "60", "0.5".
+std::optional<double> parse_seconds(std::string_view text) noexcept;
+
 /// The first and last of "3..7", or twice the number of "5".
 struct OrderRange {
   unsigned first = 0;

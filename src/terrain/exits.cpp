@@ -16,7 +16,7 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
 }
 
 /// Steps that finding the least orders may be expected to take in all: some tenths of a second.
-constexpr std::uint64_t kStepBudget = 4'000'000;
+constexpr std::uint64_t kStepBudget = 20'000'000;
 
 /// What a walk of order k is expected to take: about 1200 steps at k = 8, 7800 at 16 and 55,000 at 32 were
 /// measured.

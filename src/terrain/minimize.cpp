@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include "kernel/assert.hpp"
@@ -26,6 +27,8 @@ using detail::MergedSites;
 using detail::Outcome;
 using detail::Surface;
 using detail::Watch;
+
+constexpr unsigned kMostRows = 1'000'000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -212,8 +215,11 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
 
 Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
                          const MinimizeOptions& options) {
-  if (first > last) {
-    return Error{ErrorCode::invalid_argument, "the first order of a sweep is larger than the last", {}};
+  if (first > last || last - first >= kMostRows) {
+    return Error{ErrorCode::invalid_argument,
+                 "a sweep needs a first order that is not larger than the last, and at most " +
+                     std::to_string(kMostRows) + " orders",
+                 {}};
   }
   const Watch watch = watch_of(options);
   auto merged = detail::merge_sites(points, options.duplicates, watch.threads);
