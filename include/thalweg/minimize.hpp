@@ -71,12 +71,15 @@ struct RemovedPit {
 struct TrailStep {
   enum class Kind : std::uint8_t { flip, insertion };
   Kind kind = Kind::flip;
-  unsigned order =
-      0;  ///< flip: the larger order of its two new triangles; insertion: useful order of the edge
-  VertexId u,
-      v;  ///< the edge that came; insertion: u is on the pit, v where it drains to; flip: u is the lower end
-  VertexId old_u, old_v;  ///< flip: the edge that went
-  VertexId pit;  ///< first vertex (elevation order) of the pit that this step removed, invalid if none
+  /// Flip: the round in which it was done; no new triangle has a larger order. Insertion: the edge's useful
+  /// order.
+  unsigned order = 0;
+  /// The edge that came. Flip: u is its lower end. Insertion: u drains over it to v.
+  VertexId u, v;
+  /// Flip: the edge that went.
+  VertexId old_u, old_v;
+  /// First vertex, in elevation order, of the pit that this step removed; invalid if it removed none.
+  VertexId pit;
 };
 
 struct Minimized {
