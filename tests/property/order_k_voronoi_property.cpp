@@ -154,7 +154,7 @@ RC_GTEST_PROP(OrderKVoronoi, LocatesAsSortingDoes, ()) {
 }
 
 RC_GTEST_PROP(OrderKVoronoi, DoesNotDependOnRowsThreadsOrScale, (std::uint64_t seed)) {
-  const auto cloud = *support::clouds(80);
+  const auto cloud = *support::clouds(50);
   const unsigned k = any_order(cloud.size());
   const OrderKVoronoi diagram = diagram_of(cloud.places(), k);
   const auto order = support::permutation(cloud.size(), seed);

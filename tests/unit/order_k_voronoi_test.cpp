@@ -233,29 +233,39 @@ TEST(OrderKVoronoi, AnswersExtremeQueriesExactly) {
 }
 
 /// Degenerate sets, with as many cocircular or collinear sites as make cells of very many sides.
-std::vector<std::pair<std::string, std::vector<Point2>>> degenerate_sets() {
-  std::vector<std::pair<std::string, std::vector<Point2>>> sets;
-  sets.emplace_back("grid", grid(16, 11));
-  sets.emplace_back("ring", support::integer_circle(5 * 13 * 17 * 29));
-  sets.emplace_back("hub", sets.back().second);
-  sets.back().second.push_back({1, 0});
-  sets.back().second.push_back({0, 3});
-  sets.emplace_back("ring and two far sites that see a side of it each", sets[1].second);
-  sets.back().second.push_back({200000, 1000});
-  sets.back().second.push_back({-50000, 300000});
-  sets.emplace_back("line", std::vector<Point2>());
-  for (int i = 0; i < 90; ++i) sets.back().second.push_back({2.0 * ((i * 37) % 90), 1.0 * ((i * 37) % 90)});
-  sets.emplace_back("line and one", sets.back().second);
-  sets.back().second.push_back({80, 60});
-  sets.emplace_back("line and both sides", sets.back().second);
-  sets.back().second.push_back({90, 20});
-  sets.emplace_back("two lines", std::vector<Point2>());
-  for (int i = 0; i < 60; ++i) sets.back().second.push_back({1.0 * (i / 2), 3.0 * (i % 2)});
+struct NamedSet {
+  std::string name;
+  std::vector<Point2> points;
+};
+
+std::vector<NamedSet> degenerate_sets() {
+  std::vector<NamedSet> sets;
+  const auto add = [&sets](const char* name, std::vector<Point2> points) {
+    sets.push_back({name, std::move(points)});
+  };
+  add("grid", grid(16, 11));
+  add("ring", support::integer_circle(5 * 13 * 17 * 29));
+  add("hub", sets.back().points);
+  sets.back().points.push_back({1, 0});
+  sets.back().points.push_back({0, 3});
+  add("ring and two far sites that see a side of it each", sets[1].points);
+  sets.back().points.push_back({200000, 1000});
+  sets.back().points.push_back({-50000, 300000});
+  add("line", std::vector<Point2>());
+  for (int i = 0; i < 90; ++i) sets.back().points.push_back({2.0 * ((i * 37) % 90), 1.0 * ((i * 37) % 90)});
+  add("line and one", sets.back().points);
+  sets.back().points.push_back({80, 60});
+  add("line and both sides", sets.back().points);
+  sets.back().points.push_back({90, 20});
+  add("two lines", std::vector<Point2>());
+  for (int i = 0; i < 60; ++i) sets.back().points.push_back({1.0 * (i / 2), 3.0 * (i % 2)});
   return sets;
 }
 
 TEST(OrderKVoronoi, OfDegenerateSets) {
-  for (const auto& [name, points] : degenerate_sets()) {
+  for (const NamedSet& set : degenerate_sets()) {
+    const auto& points = set.points;
+    const auto& name = set.name;
     Random random(19);
     std::vector<unsigned> orders = {1, 2, 3, 7, static_cast<unsigned>(points.size()) - 1};
     if (points.size() > 200) orders.pop_back();
@@ -274,7 +284,7 @@ TEST(OrderKVoronoi, OfDegenerateSets) {
 }
 
 TEST(OrderKVoronoi, OfDegenerateSetsDoesNotDependOnThreads) {
-  for (auto [name, points] : degenerate_sets()) {
+  for (const auto& [name, points] : degenerate_sets()) {
     for (const unsigned k : {2u, 5u}) {
       const OrderKVoronoi one = diagram_of(points, k, 1), several = diagram_of(points, k, 3);
       ASSERT_EQ(one.halfedge_count(), several.halfedge_count()) << name;
@@ -339,7 +349,9 @@ TEST(OrderKVoronoi, PolygonsMayBeEmpty) {
 }
 
 TEST(VoronoiCounter, CountsAsTheGraphSearchOnGridsAndRings) {
-  for (const auto& [name, points] : degenerate_sets()) {
+  for (const NamedSet& set : degenerate_sets()) {
+    const auto& points = set.points;
+    const auto& name = set.name;
     if (name == "line") continue;
     const auto mesh = thalweg::delaunay(points);
     const thalweg::DelaunayGraph graph(points, *mesh);
