@@ -56,9 +56,10 @@ struct Guarded {
   std::uint32_t a;
   std::uint32_t b;
   std::uint32_t h;
+  Point2 way;  ///< from a to where the shield is before it is moved off the segment; rounded
 };
 
-/// The sites of M, ends first. Coordinates are whole.
+/// The sites of M, ends first.
 struct Core {
   std::vector<Point2> sites;
   std::vector<Guarded> guarded;
@@ -102,18 +103,27 @@ double reach_of(const Core& core) {
   return std::sqrt(square);
 }
 
-/// The plan with one shield a pair, exactly on its segment.
-Core core_of(const ShieldPlan& plan) {
+/// The ends with one shield a pair, still on its segment but for rounding. The plan's shields are at a
+/// fraction 1/m of their segments; these are at different fractions between 1/2m and 1/m, for which its laws
+/// hold too: with one fraction for all, the shields of symmetric segments are collinear. Each trial deals the
+/// fractions out anew.
+Core core_of(const ShieldPlan& plan, std::uint32_t trial) {
   Core core;
   core.ends = static_cast<std::uint32_t>(plan.ends.size());
-  const auto add = [&](LatticePoint p) {
+  for (const LatticePoint p : plan.ends) {
     core.sites.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
-  };
-  for (const LatticePoint p : plan.ends) add({plan.scale * p.x, plan.scale * p.y});
+  }
+  const double count = static_cast<double>(plan.shields.size());
+  std::uint32_t dealt = 0;
   for (const Shield& shield : plan.shields) {
+    dealt += 2 * trial + 1;
     if (shield.from > shield.to) continue;
-    core.guarded.push_back({shield.from, shield.to, static_cast<std::uint32_t>(core.sites.size())});
-    add(plan.place(shield));
+    const double part = static_cast<double>(dealt % plan.shields.size()) / count;
+    const double fraction = 1 / (static_cast<double>(plan.scale) * (1 + part));
+    const Point2 a = core.sites[shield.from], b = core.sites[shield.to];
+    const Point2 way = {(b.x - a.x) * fraction, (b.y - a.y) * fraction};
+    core.guarded.push_back({shield.from, shield.to, static_cast<std::uint32_t>(core.sites.size()), way});
+    core.sites.push_back({a.x + way.x, a.y + way.y});
   }
   return core;
 }
@@ -136,10 +146,10 @@ Core displaced(const Core& core, double radius, double& enlarged) {
   Core result = core;
   for (Point2& p : result.sites) p = {p.x * enlarged, p.y * enlarged};
   for (const Guarded& g : core.guarded) {
-    const Point2 a = core.sites[g.a], h = core.sites[g.h];
-    const double offset = offset_for(core, g, radius) * enlarged / std::sqrt(squared_distance(a, h));
-    Point2& moved = result.sites[g.h];
-    moved = {moved.x - std::round((h.y - a.y) * offset), moved.y + std::round((h.x - a.x) * offset)};
+    const double turned = offset_for(core, g, radius) / std::sqrt(g.way.x * g.way.x + g.way.y * g.way.y);
+    const Point2 a = result.sites[g.a];
+    result.sites[g.h] = {a.x + std::round((g.way.x - g.way.y * turned) * enlarged),
+                         a.y + std::round((g.way.y + g.way.x * turned) * enlarged)};
   }
   return result;
 }
@@ -232,14 +242,13 @@ std::optional<Error> fault_of_position(const ShieldPlan& plan) {
   return std::nullopt;
 }
 
-HardInstance assemble(const ShieldPlan& plan, const Core& core, std::span<const Point2> guards,
-                      double scale) {
+HardInstance assemble(const Core& core, std::span<const Point2> guards, double scale) {
   HardInstance instance;
   instance.segments = core.ends / 2;
   instance.shields = static_cast<std::uint32_t>(core.guarded.size());
   instance.guards = static_cast<std::uint32_t>(guards.size());
   instance.order = static_cast<unsigned>(core.sites.size());
-  instance.scale = plan.scale * static_cast<std::int64_t>(scale);
+  instance.scale = static_cast<std::int64_t>(scale);
   for (std::uint32_t i = 0; i < core.sites.size(); ++i) {
     const double z = i >= core.ends ? 3 : i % 2 == 0 ? 1 : 2;
     instance.points.push_back({core.sites[i].x, core.sites[i].y, z});
@@ -248,8 +257,8 @@ HardInstance assemble(const ShieldPlan& plan, const Core& core, std::span<const 
   return instance;
 }
 
-/// The instance with circles C(h) of the radius `times` U, if everything holds then.
-std::optional<HardInstance> attempt(const ShieldPlan& plan, const Core& base, double radius) {
+/// The instance with circles C(h) of that radius, if everything holds then.
+std::optional<HardInstance> attempt(const Core& base, double radius) {
   double enlarged = 1;
   const Core core = displaced(base, radius, enlarged);
   const bool whole = std::ranges::all_of(core.sites, [](Point2 p) {
@@ -260,7 +269,7 @@ std::optional<HardInstance> attempt(const ShieldPlan& plan, const Core& base, do
   if (!(reach < kMostCoordinate)) return std::nullopt;
   const std::optional<std::vector<Point2>> guards = all_guards(core, reach);
   if (!guards) return std::nullopt;
-  return assemble(plan, core, *guards, enlarged);
+  return assemble(core, *guards, enlarged);
 }
 
 }  // namespace
@@ -274,17 +283,17 @@ Result<HardInstance> corollary2_instance(std::span<const LatticeSegment> segment
                                                   " points: give at most " +
                                                   std::to_string(kMostCorollary2Segments)};
   }
-  Result<ShieldPlan> plan = detail::plan_shields(segments, kMostCorollary2Segments);
+  const Result<ShieldPlan> plan = detail::plan_shields(segments, kMostCorollary2Segments);
   if (!plan) return plan.error();
   if (auto fault = fault_of_position(*plan)) return *fault;
-  // At some scales shields are collinear by chance, and circles C(h) must be large enough for (1), (2) and
+  // With some fractions shields are collinear by chance, and circles C(h) must be large enough for (1), (2),
   // (3).
-  constexpr std::int64_t kScales = 8;
-  for (std::int64_t i = 0; i < kScales; ++i, ++plan->scale) {
-    const Core core = core_of(*plan);
+  constexpr std::uint32_t kTrials = 8;
+  for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
+    const Core core = core_of(*plan, trial);
     const double reach = reach_of(core);
     for (double times = 7; times * reach < kMostCoordinate; times *= 2) {
-      if (auto instance = attempt(*plan, core, times * reach)) return *std::move(instance);
+      if (auto instance = attempt(core, times * reach)) return *std::move(instance);
     }
   }
   return Error{ErrorCode::invalid_argument,

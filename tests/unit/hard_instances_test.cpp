@@ -288,6 +288,14 @@ TEST(Corollary2, IsSolvedAtItsOrder) {
   }
 }
 
+/// Shields at one fraction of all segments would be collinear here.
+TEST(Corollary2, TakesSymmetricSegments) {
+  const Segments star = {{{-10, -1}, {10, 2}}, {{-1, -10}, {2, 10}}, {{-7, 8}, {8, -7}}, {{20, 0}, {21, 9}}};
+  const auto instance = corollary2_instance(star);
+  ASSERT_TRUE(instance) << instance.error().message;
+  expect_solved(star, *instance);
+}
+
 TEST(Corollary2, RefusesWhatIsTooLargeOrCollinear) {
   const auto many = corollary2_instance(random_segments(9, 1));
   ASSERT_FALSE(many);
