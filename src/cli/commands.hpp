@@ -19,6 +19,7 @@ Command add_check(CLI::App& thalweg);
 Command add_edges(CLI::App& thalweg);
 Command add_sweep(CLI::App& thalweg);
 Command add_sample(CLI::App& thalweg);
+Command add_generate(CLI::App& thalweg);
 Command add_info(CLI::App& thalweg);
 
 }  // namespace thalweg::cli
