@@ -19,6 +19,60 @@ struct DirectedEdge {
   friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
+/// Half-edges by their ends: those out of one vertex together, sorted by where they lead, so that a search
+/// touches one short stretch of memory whatever the size of the triangulation. Complexity: O(m log d) for
+/// degrees of at most d.
+class HalfedgeIndex {
+ public:
+  struct Entry {
+    VertexId to;
+    HalfedgeId halfedge;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+
+  /// Requires: all origins are less than vertex_count.
+  HalfedgeIndex(const Triangulation& t, std::uint32_t vertex_count)
+      : starts_(vertex_count + std::size_t{1}, 0), entries_(t.halfedge_count()) {
+    for (const std::uint32_t v : t.origins()) ++starts_[v + std::size_t{1}];
+    for (std::uint32_t v = 0; v < vertex_count; ++v) starts_[v + std::size_t{1}] += starts_[v];
+    std::vector<std::uint32_t> place(starts_.begin(), starts_.end() - 1);
+    for (std::uint32_t i = 0; i < t.halfedge_count(); ++i) {
+      const HalfedgeId h(i);
+      entries_[place[t.origin(h).index()]++] = {t.dest(h), h};
+    }
+    for (std::uint32_t v = 0; v < vertex_count; ++v) {
+      std::sort(entries_.begin() + starts_[v], entries_.begin() + starts_[v + std::size_t{1}]);
+    }
+  }
+
+  std::span<const Entry> out_of(VertexId v) const noexcept {
+    return std::span(entries_).subspan(starts_[v.index()],
+                                       starts_[v.index() + std::size_t{1}] - starts_[v.index()]);
+  }
+
+  /// The half-edge from u to v; invalid if there is none.
+  HalfedgeId find(VertexId u, VertexId v) const noexcept {
+    const auto out = out_of(u);
+    const auto it = std::lower_bound(out.begin(), out.end(), Entry{v, HalfedgeId(0)});
+    return it != out.end() && it->to == v ? it->halfedge : HalfedgeId();
+  }
+
+  /// A half-edge that is not the only one with its ends; invalid if there is none.
+  HalfedgeId find_repeated() const noexcept {
+    for (std::uint32_t v = 0; v + std::size_t{1} < starts_.size(); ++v) {
+      const auto out = out_of(VertexId(v));
+      for (std::size_t i = 1; i < out.size(); ++i) {
+        if (out[i - 1].to == out[i].to) return out[i].halfedge;
+      }
+    }
+    return HalfedgeId();
+  }
+
+ private:
+  std::vector<std::uint32_t> starts_;
+  std::vector<Entry> entries_;
+};
+
 std::string edge_text(VertexId u, VertexId v) {
   return std::to_string(u.index()) + " -> " + std::to_string(v.index());
 }
@@ -39,21 +93,11 @@ std::optional<Triangulation> Triangulation::from_triangles(std::span<const Trian
   result.twin_.assign(result.origin_.size(), kNone);
   result.outgoing_.assign(vertex_count, kNone);
 
-  std::vector<DirectedEdge> edges;
-  edges.reserve(result.origin_.size());
+  const HalfedgeIndex index(result, vertex_count);
+  if (index.find_repeated().valid()) return std::nullopt;
   for (std::uint32_t i = 0; i < result.halfedge_count(); ++i) {
     const HalfedgeId h(i);
-    edges.push_back({result.origin(h), result.dest(h), h});
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const DirectedEdge& e = edges[i];
-    if (i > 0 && edges[i - 1].from == e.from && edges[i - 1].to == e.to) return std::nullopt;
-    if (e.from > e.to) continue;
-    const auto twin = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{e.to, e.from, HalfedgeId(0)});
-    if (twin != edges.end() && twin->from == e.to && twin->to == e.from) {
-      result.link(e.halfedge, twin->halfedge);
-    }
+    result.twin_[i] = index.find(result.dest(h), result.origin(h)).index();
   }
   result.set_outgoing();
   if (result.find_fault()) return std::nullopt;
@@ -199,48 +243,38 @@ std::optional<std::string> Triangulation::find_fault() const {
   const std::uint32_t count = halfedge_count();
   if (twin_.size() != origin_.size() || count % 3 != 0) return "arrays of half-edges differ in length";
 
-  std::vector<std::uint32_t> degree(vertex_count(), 0);
-  std::vector<DirectedEdge> edges;
-  edges.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const HalfedgeId h(i);
     if (origin_[i] >= vertex_count()) return "half-edge " + std::to_string(i) + " has an origin out of range";
     if (origin(h) == dest(h)) return "face " + std::to_string(i / 3) + " repeats a vertex";
-    ++degree[origin_[i]];
-    edges.push_back({origin(h), dest(h), h});
   }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    if (edges[i - 1].from == edges[i].from && edges[i - 1].to == edges[i].to) {
-      return "edge " + edge_text(edges[i].from, edges[i].to) + " occurs twice";
-    }
+  const HalfedgeIndex index(*this, vertex_count());
+  if (const HalfedgeId h = index.find_repeated(); h.valid()) {
+    return "edge " + edge_text(origin(h), dest(h)) + " occurs twice";
   }
-  for (const DirectedEdge& e : edges) {
-    const HalfedgeId t = twin(e.halfedge);
-    const auto other =
-        std::lower_bound(edges.begin(), edges.end(), DirectedEdge{e.to, e.from, HalfedgeId(0)});
-    const bool exists = other != edges.end() && other->from == e.to && other->to == e.from;
-    if (t != (exists ? other->halfedge : HalfedgeId())) {
-      return "edge " + edge_text(e.from, e.to) + " has the wrong twin";
-    }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const HalfedgeId h(i);
+    if (twin(h) != index.find(dest(h), origin(h)))
+      return "edge " + edge_text(origin(h), dest(h)) + " has the wrong twin";
   }
   for (std::uint32_t i = 0; i < vertex_count(); ++i) {
     const VertexId v(i);
     const HalfedgeId first = outgoing(v);
-    if (!first.valid() && degree[i] == 0) continue;
+    const std::size_t degree = index.out_of(v).size();
+    if (!first.valid() && degree == 0) continue;
     if (first.index() >= count || origin(first) != v) {
       return "vertex " + std::to_string(i) + " has a wrong outgoing half-edge";
     }
-    std::uint32_t met = 0;
+    std::size_t met = 0;
     HalfedgeId h = first;
     do {
       ++met;
       h = turn_ccw(h);
-    } while (h.valid() && h != first && met <= degree[i]);
+    } while (h.valid() && h != first && met <= degree);
     if (!h.valid() && !on_hull(first)) {
       return "vertex " + std::to_string(i) + " is on the hull, but its outgoing half-edge is not";
     }
-    if (met != degree[i]) return "the faces at vertex " + std::to_string(i) + " are not one fan";
+    if (met != degree) return "the faces at vertex " + std::to_string(i) + " are not one fan";
   }
   return std::nullopt;
 }
