@@ -8,9 +8,8 @@
 /// which is NP-hard to compute. Source: de Kok, van Kreveld, Loeffler, Theorem 1 and Corollary 2. Departures:
 ///
 /// - The paper says that an endpoint of elevation 2 "is a local minimum if and only if the segment ... is in
-/// the
-///   triangulation". It is one if and only if the segment is NOT: along the segment it drains to its partner
-///   of elevation 1. The maximum set of segments corresponds to the elevation-2 points that drain.
+///   the triangulation". It is one if and only if the segment is NOT: along the segment it drains to its
+///   partner of elevation 1. The largest set of segments corresponds to the ends of elevation 2 that drain.
 /// - Shields need not lie on the circle of radius eps / 3, whose points are irrational, but within it and on
 ///   no segment; see src/terrain/shields.hpp.
 /// - Corollary 2 with a shield at both ends of a pair has triples (p, shield, shield) that were collinear and

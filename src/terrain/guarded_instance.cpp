@@ -7,9 +7,9 @@
 /// room to spare:
 ///
 ///   (1) ends that are not partners: the k + 1 guards of their shield h are strictly inside C(h);
-///   (2) h is strictly left of ab, and strictly inside the triangle a, b, s for every other site s left of
-///   ab; (3) every end right of ab is strictly inside C(h); (4) guards are at least 4 U from every site of M;
-///   no three sites of M are collinear.
+///   (2) h is strictly left of ab, and strictly inside triangle a, b, s for every other site s left of ab;
+///   (3) every end right of ab is strictly inside C(h);
+///   (4) guards are at least 4 U from every site of M; no three sites of M are collinear.
 ///
 /// Claim. Among the triangulations of order <= k of all sites, a set of segments of S occurs as edges if and
 /// only if no two of it cross, and no edge joins ends that are not partners. The pits then follow as in
@@ -233,8 +233,7 @@ std::optional<Error> fault_of_position(const ShieldPlan& plan) {
         return Error{ErrorCode::invalid_argument,
                      "ends of " + detail::segment_name(i / 2) + ", " + detail::segment_name(j / 2) + " and " +
                          detail::segment_name(k / 2) +
-                         " are collinear: move one, Corollary 2 needs general "
-                         "position",
+                         " are collinear: move one, Corollary 2 needs general position",
                      {i / 2, j / 2, k / 2}};
       }
     }
@@ -286,8 +285,7 @@ Result<HardInstance> corollary2_instance(std::span<const LatticeSegment> segment
   const Result<ShieldPlan> plan = detail::plan_shields(segments, kMostCorollary2Segments);
   if (!plan) return plan.error();
   if (auto fault = fault_of_position(*plan)) return *fault;
-  // With some fractions shields are collinear by chance, and circles C(h) must be large enough for (1), (2),
-  // (3).
+  // With some fractions shields are collinear by chance, and C(h) must be large enough for (1), (2) and (3).
   constexpr std::uint32_t kTrials = 8;
   for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
     const Core core = core_of(*plan, trial);

@@ -6,15 +6,19 @@
 /// The plan of shields gives: (a) between two ends that are not partners lies a site, so no edge joins them;
 /// (b) no site lies inside a segment of S; (c) all sites are distinct.
 ///
-/// Proof. Elevation 1: by (a) every neighbour of such an end is a shield or its partner, all higher. Each is
-/// a pit of its own: n pits in every T. Elevation 2: by (a) the neighbours are shields and perhaps the
-/// partner. The end drains if its segment is an edge of T, and is a pit of its own if not: n - m(T) pits.
-/// Elevation 3: take a set of shields that edges of T join, as large as it goes. T is connected and has ends,
+/// Elevation 1. By (a) every neighbour of such an end is a shield or its partner, all higher. Each is a pit
+/// of its own: n pits in every T.
+///
+/// Elevation 2. By (a) the neighbours are shields and perhaps the partner. The end drains if its segment is
+/// an edge of T, and is a pit of its own if not: n - m(T) pits.
+///
+/// Elevation 3. Take a set of shields that edges of T join, as large as it goes. T is connected and has ends,
 /// so an edge leads out of the set; by maximality to an end, which is lower. No shield is part of a pit. (Of
 /// single shields, rather than flats, this may fail: a shield can have shields alone for neighbours.)
-/// Segments that are edges of T do not cross. Conversely segments that do not cross have, by (b) and (c),
-/// nothing in common but no site inside either: as a plane graph they extend to a triangulation.
-/// Segments meet in a point inside both or not at all, as no end lies on another segment.
+///
+/// Segments that are edges of T do not cross. Conversely, segments that do not cross are disjoint, as no end
+/// lies on another segment, and by (b) no site is inside one: they are a plane graph, which extends to a
+/// triangulation.
 #include "thalweg/hard_instances.hpp"
 
 #include "terrain/shields.hpp"

@@ -43,10 +43,10 @@ constexpr bool partners(std::uint32_t a, std::uint32_t b) noexcept {
 /// theorem1_instance.
 Result<ShieldPlan> plan_shields(std::span<const LatticeSegment> segments, std::uint32_t most);
 
-/// Every coordinate of the plan is a double, exactly.
+/// The largest coordinate of an instance: up to it every integer is a double.
 inline constexpr std::int64_t kMostExact = std::int64_t{1} << 53;
 
-/// "segment 3 (counted from 0)": how errors name a segment.
+/// "segment 3 (from 0)": how errors name a segment.
 std::string segment_name(std::uint32_t segment);
 
 }  // namespace thalweg::detail
