@@ -141,7 +141,7 @@ class OrderKVoronoi {
   std::vector<VertexId> nearest(Point2 q) const;
 
   /// The cell as a convex polygon, counter-clockwise, clipped to the box, in rounded coordinates: for drawing
-  /// only. Empty if nothing of positive area is left. Complexity: O(edges^2) of the cell.
+  /// only. Empty if no more is left than rounding could make. Complexity: O(edges^2) of the cell.
   std::vector<Point2> polygon(CellId c, const Box& box) const;
 
   /// The pairs of sites that are separated by an edge of the diagram, first < second, sorted: those with a
@@ -188,11 +188,11 @@ class OrderKVoronoi {
 
 /// The diagram of order k of the distinct points among `points`. One point, and points all on one line, are
 /// legal. The diagrams of orders 1 to k are built one from the other and only the last is kept.
-/// Deterministic: the same set of coordinates gives the same cells. Errors: invalid_argument if k is 0 or
-/// more than the number of distinct points; not_finite with the rows; too_many_points if ids do not suffice
-/// (beyond about 358e6 / k points). Complexity: O(n log n + k^2 n) expected, and (150 + 4 k) (2 k - 1) n
-/// bytes at the peak, of which about half remain. Source: Lee 1982, the iteration; see
-/// src/order/voronoi_map.hpp and voronoi_hole.hpp.
+/// Deterministic: the same set of coordinates gives the same cells. Errors: invalid_argument if k is 0;
+/// too_few_points if k is more than the number of distinct points; not_finite with the rows; too_many_points
+/// if ids do not suffice (half-edges: beyond about 358e6 / k points). Complexity: O(k^2 n + n log n)
+/// expected; about (180 + 4 k) k bytes a site at the peak, of which three quarters remain for small k and
+/// nearly all for large. Source: Lee 1982, the iteration; see src/order/voronoi_map.hpp and voronoi_hole.hpp.
 Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k,
                                       const OrderKVoronoiOptions& options = {});
 

@@ -21,5 +21,6 @@ Command add_sweep(CLI::App& thalweg);
 Command add_sample(CLI::App& thalweg);
 Command add_generate(CLI::App& thalweg);
 Command add_info(CLI::App& thalweg);
+Command add_voronoi(CLI::App& thalweg);
 
 }  // namespace thalweg::cli

@@ -29,6 +29,7 @@ constexpr std::array kNames = {
     FormatName{"pts", Format::xyz, true, true},
     FormatName{"grd", Format::asc, true, true},
     FormatName{"json", Format::geojson, true, false},
+    FormatName{"svg", Format::svg, true, false},  // of one command alone
 };
 
 bool allowed(const FormatName& entry, Direction direction) {

@@ -110,7 +110,7 @@ Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k
     sites[s] = points[rows[s]];
   }
   if (k == 0 || k > sites.size()) {
-    return Error{ErrorCode::invalid_argument,
+    return Error{k == 0 ? ErrorCode::invalid_argument : ErrorCode::too_few_points,
                  "the order of a Voronoi diagram of " + std::to_string(sites.size()) +
                      " distinct points is 1 to as many, not " + std::to_string(k)};
   }

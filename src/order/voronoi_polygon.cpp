@@ -1,4 +1,5 @@
 /// Cells of the order-k Voronoi diagram as polygons to draw.
+#include <cfloat>
 #include <cmath>
 
 #include "thalweg/order_k_voronoi.hpp"
@@ -21,13 +22,15 @@ std::vector<Point2> clip(const std::vector<Point2>& polygon, double nx, double n
   return result;
 }
 
-double twice_area(const std::vector<Point2>& polygon) {
-  double sum = 0;
+/// Whether the polygon is wider than what rounding in coordinates up to 1 makes of a cell without area.
+bool has_area(const std::vector<Point2>& polygon) {
+  double twice_area = 0, length = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2 p = polygon[i], q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    sum += p.x * q.y - p.y * q.x;
+    twice_area += p.x * q.y - p.y * q.x;
+    length += std::hypot(q.x - p.x, q.y - p.y);
   }
-  return sum;
+  return twice_area > 16 * DBL_EPSILON * length;
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ std::vector<Point2> OrderKVoronoi::polygon(CellId c, const Box& box) const {
     const double limit = nx * ((gained.x + lost.x) / 2) + ny * ((gained.y + lost.y) / 2);
     result = clip(result, nx, ny, limit);
   });
-  if (result.size() < 3 || !(twice_area(result) > 0)) return {};
+  if (!has_area(result)) return {};
   for (Point2& p : result) p = {centre.x + p.x * unit, centre.y + p.y * unit};
   return result;
 }

@@ -179,9 +179,9 @@ TEST(OrderKVoronoi, RefusesWhatIsNoDiagram) {
     return result ? std::string("none") : std::to_string(static_cast<int>(result.error().code));
   };
   const auto expected = [](ErrorCode error) { return std::to_string(static_cast<int>(error)); };
-  EXPECT_EQ(code({}, 1), expected(ErrorCode::invalid_argument));
+  EXPECT_EQ(code({}, 1), expected(ErrorCode::too_few_points));
   EXPECT_EQ(code({{0, 0}, {1, 1}}, 0), expected(ErrorCode::invalid_argument));
-  EXPECT_EQ(code({{0, 0}, {1, 1}, {0, 0}}, 3), expected(ErrorCode::invalid_argument));
+  EXPECT_EQ(code({{0, 0}, {1, 1}, {0, 0}}, 3), expected(ErrorCode::too_few_points));
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(code({{0, 0}, {nan, 1}}, 1), expected(ErrorCode::not_finite));
