@@ -21,6 +21,7 @@ using thalweg::ErrorCode;
 using thalweg::HardInstance;
 using thalweg::LatticePoint;
 using thalweg::LatticeSegment;
+using thalweg::Method;
 using thalweg::Point2;
 using thalweg::Point3;
 using thalweg::theorem1_instance;
@@ -60,14 +61,17 @@ unsigned fewest_pits(const Segments& segments) {
 
 /// That minimising pits solves the problem of the segments, and says that it has.
 void expect_solved(const Segments& segments, const HardInstance& instance) {
-  thalweg::MinimizeOptions options;
-  options.order = instance.order;
-  options.threads = 1;
-  const auto result = thalweg::minimize_pits(instance.points, options);
-  ASSERT_TRUE(result) << result.error().message;
-  EXPECT_EQ(result->pits.total, fewest_pits(segments));
-  EXPECT_TRUE(result->certified);
-  EXPECT_LE(*std::ranges::max_element(result->face_orders), instance.order);
+  for (const Method method : {Method::best, Method::exact}) {
+    thalweg::MinimizeOptions options;
+    options.order = instance.order;
+    options.method = method;
+    options.threads = 1;
+    const auto result = thalweg::minimize_pits(instance.points, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->pits.total, fewest_pits(segments));
+    EXPECT_TRUE(result->certified);
+    EXPECT_LE(*std::ranges::max_element(result->face_orders), instance.order);
+  }
 }
 
 bool partners(std::uint32_t a, std::uint32_t b) {
@@ -154,6 +158,21 @@ TEST(Theorem1, HasTheFewestPitsOfEveryTriangulationEnumerated) {
     const HardInstance instance = theorem1_instance(segments).value();
     const auto sites = oracle::sites_of(std::span<const Point3>(instance.points));
     EXPECT_EQ(oracle::fewest_pits(sites).back(), fewest_pits(segments));
+  }
+}
+
+TEST(Theorem1, IsSolvedAtEveryOrder) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const HardInstance instance = theorem1_instance(random_segments(2, seed)).value();
+    const auto fewest = oracle::fewest_pits(oracle::sites_of(std::span<const Point3>(instance.points)));
+    for (unsigned k = 0; k < fewest.size(); ++k) {
+      thalweg::MinimizeOptions options;
+      options.order = k;
+      options.method = Method::exact;
+      const auto result = thalweg::minimize_pits(instance.points, options).value();
+      EXPECT_EQ(result.pits.total, fewest[k]) << "order " << k << ", seed " << seed;
+      EXPECT_TRUE(result.certified);
+    }
   }
 }
 
