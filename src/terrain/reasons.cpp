@@ -23,10 +23,7 @@ class KnownExits {
   std::optional<unsigned> least_order(std::span<const VertexId> flat) {
     std::optional<unsigned> least;
     for (const VertexId p : flat) {
-      // The exits of a vertex on a Delaunay pit are known; those of a vertex that has become part of a pit
-      // are not.
-      const bool known = surface_.pit_of(p) != Surface::kNoPit;
-      const auto order = known ? from_list(flat, p) : from_search(flat, p);
+      const auto order = exits_known(flat, p) ? from_list(flat, p) : from_search(flat, p);
       if (order && (!least || *order < *least)) least = order;
     }
     return least;
