@@ -99,7 +99,7 @@ std::vector<std::pair<std::int64_t, std::int64_t>> whole_points_of_circle() {
 /// A whole place that rounds a place on the circle, at a rational angle: ((1 - t^2), 2t) / (1 + t^2).
 std::pair<std::int64_t, std::int64_t> near_circle(Random& random) noexcept {
   const double t = random.unit();
-  const double radius = static_cast<double>(kRadius);
+  const auto radius = static_cast<double>(kRadius);
   auto x = static_cast<std::int64_t>(rounded(radius * (1 - t * t) / (1 + t * t), 1));
   auto y = static_cast<std::int64_t>(rounded(radius * 2 * t / (1 + t * t), 1));
   for (std::uint64_t turns = random.below(4); turns > 0; --turns) x = std::exchange(y, -x);
@@ -117,8 +117,9 @@ std::vector<Point3> ring(std::uint64_t count, Random& random) {
   std::vector<Point3> points;
   points.reserve(count);
   const auto add = [&](std::uint64_t r, std::pair<std::int64_t, std::int64_t> p) {
-    const double x = spacing * static_cast<double>(r % columns) + static_cast<double>(p.first);
-    const double y = spacing * static_cast<double>(r / columns) + static_cast<double>(p.second);
+    const std::uint64_t column = r % columns, row = r / columns;
+    const double x = spacing * static_cast<double>(column) + static_cast<double>(p.first);
+    const double y = spacing * static_cast<double>(row) + static_cast<double>(p.second);
     points.push_back({x, y, rounded(kRelief * surface.height(x, y), 1)});
   };
   for (std::uint64_t r = 0; r < rings; ++r) {
@@ -142,12 +143,13 @@ std::vector<Point3> ring(std::uint64_t count, Random& random) {
 
 std::vector<Point3> grid(std::uint64_t count, Random& random) {
   const auto columns = static_cast<std::uint64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
-  const double side = static_cast<double>(columns);
+  const auto side = static_cast<double>(columns);
   const FractalSurface surface(random.next(), std::fmax(side / 2, 1), 1, kRoughness);
   std::vector<Point3> points;
   points.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const auto x = static_cast<double>(i % columns), y = static_cast<double>(i / columns);
+    const std::uint64_t column = i % columns, row = i / columns;
+    const auto x = static_cast<double>(column), y = static_cast<double>(row);
     // Nodes of the finest octaves must not be the cells themselves.
     const double z = kRelief * surface.height(x * 0.8125, y * 0.8125);
     points.push_back({x, y, rounded(z, 100)});
@@ -166,8 +168,9 @@ std::vector<Point3> lidar(std::uint64_t count, Random& random) {
   points.reserve(count);
   const auto jitter = [&] { return kJitter * (2 * random.unit() - 1); };
   for (std::uint64_t i = 0; i < count; ++i) {
-    const double along = kAlong * static_cast<double>(i % on_line) + jitter();
-    const double line = kLines * static_cast<double>(i / on_line) + jitter();
+    const std::uint64_t place = i % on_line, scan = i / on_line;
+    const double along = kAlong * static_cast<double>(place) + jitter();
+    const double line = kLines * static_cast<double>(scan) + jitter();
     const double x = (24 * along - 7 * line) / 25, y = (7 * along + 24 * line) / 25;
     const double z = 250 + side / 20 * surface.height(x, y) + jitter() / 5;
     points.push_back({rounded(kEast + x, 100), rounded(kNorth + y, 100), rounded(z, 100)});

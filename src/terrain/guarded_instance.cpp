@@ -113,7 +113,7 @@ Core core_of(const ShieldPlan& plan, std::uint32_t trial) {
   for (const LatticePoint p : plan.ends) {
     core.sites.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
   }
-  const double count = static_cast<double>(plan.shields.size());
+  const auto count = static_cast<double>(plan.shields.size());
   std::uint32_t dealt = 0;
   for (const Shield& shield : plan.shields) {
     dealt += 2 * trial + 1;
