@@ -1,5 +1,6 @@
 #include "io/write_voronoi.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -49,6 +50,9 @@ std::uint32_t write_geojson(RowWriter& out, const VoronoiView& view) {
 
 constexpr double kPictureWidth = 1000;
 
+constexpr std::array kColours = {"#fbb4ae", "#b3cde3", "#ccebc5", "#decbe4", "#fed9a6", "#ffffcc",
+                                 "#e5d8bd", "#fddaec", "#cfe8e6", "#d9d9d9", "#c7d8f0"};
+
 /// From the plane to a picture: y down, three digits after the point.
 struct Picture {
   explicit Picture(const Box& b) : box(b), scale(kPictureWidth / (b.high.x - b.low.x)) {}
@@ -69,8 +73,7 @@ std::uint32_t write_svg(RowWriter& out, const VoronoiView& view) {
       << picture.height() << "\">\n<g stroke=\"#333\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
   const std::uint32_t drawn =
       for_each_polygon(out, view, [&](CellId cell, const std::vector<Point2>& polygon) {
-        // Neighbours get colours far apart: multiples of the golden angle.
-        out << "<path fill=\"hsl(" << cell.index() * std::uint64_t{137508} / 1000 % 360 << ",55%,80%)\" d=\"";
+        out << "<path fill=\"" << kColours[cell.index() % kColours.size()] << "\" d=\"";
         char command = 'M';
         for (const Point2 p : polygon) {
           const Point2 q = picture.place(p);

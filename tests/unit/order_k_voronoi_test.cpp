@@ -336,6 +336,20 @@ TEST(OrderKVoronoi, PolygonsTileTheBox) {
   }
 }
 
+TEST(OrderKVoronoi, PolygonsShareTheirCorners) {
+  const OrderKVoronoi diagram = diagram_of(random_points(40, 1000, 37), 3);
+  const thalweg::Box box{{-1e7, -1e7}, {1e7, 1e7}};
+  std::set<std::pair<double, double>> corners;
+  std::size_t finite = 0;
+  for (std::uint32_t c = 0; c < diagram.cell_count(); ++c) {
+    if (diagram.unbounded(CellId(c))) continue;
+    for (const Point2 p : diagram.polygon(CellId(c), box)) corners.emplace(p.x, p.y);
+  }
+  for (std::uint32_t v = 0; v < diagram.vertex_count(); ++v)
+    finite += !diagram.at_infinity(VoronoiVertexId(v));
+  EXPECT_LE(corners.size(), finite);
+}
+
 TEST(OrderKVoronoi, PolygonsMayBeEmpty) {
   const OrderKVoronoi diagram = diagram_of(grid(2, 2), 2);
   // Of four sites on one circle: four cells of pairs along sides, and a diagonal's, which has no area.
