@@ -61,8 +61,8 @@ class UneasyPairs {
   UneasyPairs(const Surface& surface, const Plan& plan, unsigned k)
       : surface_(surface), plan_(plan), k_(k), counter_(surface.graph()), work_(surface.delaunay()) {}
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> find() {
-    auto pairs = meeting_pairs(surface_, plan_.units.exits);
+  std::vector<ExitPair> find() {
+    auto pairs = meeting_pairs(surface_, plan_.units.exits).value_or(std::vector<ExitPair>());
     std::erase_if(pairs, [&](const auto& pair) { return !is_uneasy(pair.first, pair.second); });
     return pairs;
   }
@@ -100,7 +100,8 @@ std::vector<std::vector<RequiredEdge>> offending_groups(const Surface& surface, 
   std::vector<UnitExit> exits;
   for (const std::uint32_t e : chosen) exits.push_back(plan.units.exits[e]);
   DisjointSets groups(static_cast<std::uint32_t>(exits.size()));
-  for (const auto& [a, b] : meeting_pairs(surface, exits)) groups.join(a, b);
+  const auto meeting = meeting_pairs(surface, exits).value_or(std::vector<ExitPair>());
+  for (const auto& [a, b] : meeting) groups.join(a, b);
 
   std::vector<std::uint8_t> offends(exits.size(), 0);
   CircleCounter counter(surface.graph());
@@ -153,13 +154,16 @@ std::optional<Outcome> insert_grown(const Surface& surface, const Plan& plan, un
 Plan make_plan(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
   Units units = find_units(surface, exits, k, watch);
   Crossings crossings(surface, units.exits);
-  Assignment assignment = solve_assignment(units, crossings);
+  Assignment assignment;
+  assignment.complete = false;
+  if (crossings.complete()) assignment = solve_assignment(units, crossings);
   const std::uint32_t bound = std::max(assignment.bound, reach_bound(surface, exits));
   return {std::move(units), std::move(crossings), std::move(assignment), bound};
 }
 
 std::optional<Outcome> insert_assignment(const Surface& surface, const Plan& plan, unsigned k,
                                          const Watch& watch) {
+  if (!plan.crossings.complete()) return std::nullopt;
   Outcome outcome = insert_all(surface, plan.units, plan.assignment.chosen, watch);
   THALWEG_ASSERT(outcome.pits <= plan.assignment.pits(plan.units));
   if (is_of_order(surface, k, outcome)) return outcome;

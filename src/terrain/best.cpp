@@ -24,6 +24,9 @@ void keep_better(const Surface& surface, Outcome& best, Outcome&& other) {
   best.circle_counts = counts;
 }
 
+/// Smaller orders that are tried where nothing is proved at larger ones.
+constexpr unsigned kMostOrders = 64;
+
 /// The best at k alone.
 Outcome best_at(const Surface& surface, std::span<const Exit> exits, const Plan& plan, unsigned k,
                 const Watch& watch) {
@@ -47,7 +50,8 @@ Outcome best_pits(const Surface& surface, std::span<const Exit> exits, const Pla
   Outcome best = best_at(surface, exits, plan, k, watch);
   // A smaller order can only win while its bound is below what we have, and the bound grows as the order
   // falls.
-  for (unsigned lower = k; lower-- > 0 && !watch.stopped();) {
+  unsigned tried = 0;
+  for (unsigned lower = k; lower-- > 0 && tried < kMostOrders && !watch.stopped(); ++tried) {
     const auto within = exits_up_to(exits, lower);
     if (best.pits <= reach_bound(surface, within)) break;
     const Plan lower_plan = make_plan(surface, within, lower, watch);

@@ -7,14 +7,19 @@
 #include "kernel/sleeve.hpp"
 
 namespace thalweg::detail {
+namespace {
+
+/// Real terrain has a few pairs an exit: some hundred thousand at a million sites.
+constexpr std::size_t kMostPairs = 20'000'000;
+
+}  // namespace
 
 bool cross_properly(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   return orient2d_sign(a, b, c) * orient2d_sign(a, b, d) < 0 &&
          orient2d_sign(c, d, a) * orient2d_sign(c, d, b) < 0;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_pairs(const Surface& surface,
-                                                                   std::span<const UnitExit> exits) {
+std::optional<std::vector<ExitPair>> meeting_pairs(const Surface& surface, std::span<const UnitExit> exits) {
   const Triangulation& t = surface.delaunay();
   std::vector<std::pair<FaceId, std::uint32_t>> visits;
   Sleeve sleeve;
@@ -29,10 +34,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_pairs(const Surface
     }
   }
   std::sort(visits.begin(), visits.end());
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t i = 0; i < visits.size(); ++i) {
-    for (std::size_t j = i + 1; j < visits.size() && visits[j].first == visits[i].first; ++j) {
-      pairs.emplace_back(visits[i].second, visits[j].second);
+  std::vector<ExitPair> pairs;
+  for (std::size_t begin = 0, end = 0; begin < visits.size(); begin = end) {
+    while (end < visits.size() && visits[end].first == visits[begin].first) ++end;
+    if ((end - begin) * (end - begin) / 2 + pairs.size() > kMostPairs) return std::nullopt;
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t j = i + 1; j < end; ++j) pairs.emplace_back(visits[i].second, visits[j].second);
     }
   }
   std::sort(pairs.begin(), pairs.end());
@@ -42,18 +49,21 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_pairs(const Surface
 
 Crossings::Crossings(const Surface& surface, std::span<const UnitExit> exits) : count_(exits.size()) {
   const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
-  for (const auto& [i, j] : meeting_pairs(surface, exits)) {
-    const Exit &f = exits[i].exit, &g = exits[j].exit;
-    const bool same = f.from == g.to && f.to == g.from;
-    if (same || cross_properly(at(f.from), at(f.to), at(g.from), at(g.to))) {
-      pairs_.emplace_back(i, j);
-      pairs_.emplace_back(j, i);
+  if (const auto meeting = meeting_pairs(surface, exits)) {
+    complete_ = true;
+    for (const auto& [i, j] : *meeting) {
+      const Exit &f = exits[i].exit, &g = exits[j].exit;
+      const bool same = f.from == g.to && f.to == g.from;
+      if (same || cross_properly(at(f.from), at(f.to), at(g.from), at(g.to))) {
+        pairs_.emplace_back(i, j);
+        pairs_.emplace_back(j, i);
+      }
     }
   }
   pack();
 }
 
-void Crossings::add(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+void Crossings::add(std::span<const ExitPair> pairs) {
   for (const auto& [a, b] : pairs) {
     pairs_.emplace_back(a, b);
     pairs_.emplace_back(b, a);

@@ -141,7 +141,8 @@ class Search {
     units.starts.assign(units.count + std::size_t{1}, 0);
     for (const UnitExit& e : units.exits) ++units.starts[e.unit + std::size_t{1}];
     for (std::uint32_t i = 0; i < units.count; ++i) units.starts[i + std::size_t{1}] += units.starts[i];
-    return solve_assignment(units, Crossings(surface_, units.exits)).bound;
+    const Crossings crossings(surface_, units.exits);
+    return crossings.complete() ? solve_assignment(units, crossings).bound : 0;
   }
 
   const Surface& surface_;
