@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "support/point_sets.hpp"
@@ -404,6 +406,17 @@ DrawnSet draw_set(std::uint64_t seed, std::uint64_t index) {
   const Places places = draw_places(kind, count, random);
   const Elevations z = draw_elevations(count, kind == SetKind::flats, random);
   return drawn(kind, places, z, enumerate(places));
+}
+
+std::string printed(const Cloud& cloud) {
+  std::ostringstream out;
+  showValue(cloud, out);
+  return out.str();
+}
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
 std::vector<unsigned> fewest_pits_regardless(const Enumeration& all, const Relief& relief) {

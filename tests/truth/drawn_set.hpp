@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "oracle/enumeration.hpp"
@@ -44,6 +45,12 @@ constexpr bool is_adversarial(SetKind kind) noexcept {
 /// triangles, gives fewer pits than any triangulation of the order has. Of several draws the first that is a
 /// trap is taken; since few conflicts make one, those found by a long search are kept and drawn from too.
 DrawnSet draw_set(std::uint64_t seed, std::uint64_t index);
+
+/// The set as C++ to paste.
+std::string printed(const Cloud& cloud);
+
+/// The number that an environment variable holds, or another if it is not set.
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise);
 
 /// Entry k: the fewest pits that edges of useful order at most k have in any triangulation, whatever its
 /// order.

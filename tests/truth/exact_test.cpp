@@ -5,12 +5,10 @@
 ///     THALWEG_EXACT_SETS=20000 THALWEG_EXACT_SEED=1 test_truth --gtest_filter='Exhaustive.*'
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -24,19 +22,9 @@ using oracle::EdgeSet;
 using oracle::Enumeration;
 using oracle::Relief;
 using support::DrawnSet;
+using support::printed;
 using thalweg::Method;
 using thalweg::Minimized;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-std::string printed(const support::Cloud& cloud) {
-  std::ostringstream out;
-  support::showValue(cloud, out);
-  return out.str();
-}
 
 EdgeSet edges_of(std::span<const oracle::Tri> triangles) {
   EdgeSet edges = 0;
@@ -81,7 +69,7 @@ struct Tally {
 void print(const char* name, const Tally& t) {
   std::printf(
       "%-20s %6llu sets %7llu cases %6llu traps; best: %llu not optimal, %llu not certified; exact: %llu not "
-      "optimal, %llu not certified; %llu invalid; slowest exact %.4f s\n",
+      "optimal, %llu not certified; %llu invalid; slowest exact %.4f s of processor time\n",
       name, static_cast<unsigned long long>(t.sets), static_cast<unsigned long long>(t.cases),
       static_cast<unsigned long long>(t.traps), static_cast<unsigned long long>(t.best_worse),
       static_cast<unsigned long long>(t.best_open), static_cast<unsigned long long>(t.exact_worse),
@@ -102,9 +90,9 @@ void judge(const DrawnSet& set, Tally& tally, std::vector<std::string>& misses) 
     for (const Method method : support::kMethods) {
       const std::string name = std::string(support::method_name(method)) + ", order " + std::to_string(k) +
                                ", optimum " + std::to_string(fewest[k]) + ": ";
-      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t start = std::clock();
       const Minimized m = support::minimize(set.cloud, method, k);
-      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       if (const auto wrong = find_wrong(all, relief, m, k, fewest[k])) {
         ++tally.invalid;
         ADD_FAILURE() << name << *wrong << '\n' << printed(set.cloud);
@@ -117,7 +105,7 @@ void judge(const DrawnSet& set, Tally& tally, std::vector<std::string>& misses) 
         }
       }
       if (method == Method::exact) {
-        tally.slowest_exact = std::max(tally.slowest_exact, taken.count());
+        tally.slowest_exact = std::max(tally.slowest_exact, taken);
         tally.exact_worse += m.pits.total != fewest[k] ? 1u : 0u;
         tally.exact_open += m.certified ? 0u : 1u;
         if (m.pits.total == fewest[k] && m.certified) continue;
@@ -131,8 +119,8 @@ void judge(const DrawnSet& set, Tally& tally, std::vector<std::string>& misses) 
 /// `exact` attains and proves the optimum always. `best` does so where the sets were not made to trap it, and
 /// in all but one case of two thousand where they were.
 TEST(Exhaustive, ExactIsOptimalAndCertified) {
-  const std::uint64_t sets = from_environment("THALWEG_EXACT_SETS", 1500);
-  const std::uint64_t seed = from_environment("THALWEG_EXACT_SEED", 20090601);
+  const std::uint64_t sets = support::from_environment("THALWEG_EXACT_SETS", 1500);
+  const std::uint64_t seed = support::from_environment("THALWEG_EXACT_SEED", 20090601);
   std::array<Tally, support::kSetKinds> tallies;
   std::vector<std::string> misses;
   std::uint64_t adversarial_cases = 0, adversarial_misses = 0, other_misses = 0;
@@ -150,7 +138,7 @@ TEST(Exhaustive, ExactIsOptimalAndCertified) {
   }
   for (const std::string& miss : misses) std::printf("%s\n", miss.c_str());
   EXPECT_EQ(other_misses, 0u);
-  EXPECT_LE(adversarial_misses, adversarial_cases / 2000 + 1);
+  EXPECT_LE(adversarial_misses, adversarial_cases / 2000);
 }
 
 /// They are worth drawing only if choosing ways down alone promises too much on them.

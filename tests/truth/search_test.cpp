@@ -1,0 +1,146 @@
+/// The two searches of the exact method, each on its own, against the enumeration of all triangulations.
+///
+/// Seen from outside they say little: where `best` has found the optimum already, a search that overlooks
+/// half of its nodes still ends with the right answer.
+///
+/// More sets, or other ones:
+///     THALWEG_EXACT_SETS=20000 THALWEG_EXACT_SEED=1 test_truth --gtest_filter='Completion.*:ExactSearch.*'
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/point_sets.hpp"
+#include "support/prepared.hpp"
+#include "terrain/completion.hpp"
+#include "terrain/exact.hpp"
+#include "truth/drawn_set.hpp"
+
+namespace {
+
+using oracle::EdgeSet;
+using oracle::Enumeration;
+using oracle::Pair;
+using support::DrawnSet;
+using thalweg::detail::Completion;
+using thalweg::detail::Outcome;
+using thalweg::detail::Plan;
+using thalweg::detail::RequiredEdge;
+using thalweg::detail::Surface;
+using thalweg::detail::Watch;
+
+Surface surface_of(const support::Cloud& cloud) {
+  return Surface(cloud.places(), cloud.elevations(), thalweg::delaunay(cloud.places()).value());
+}
+
+/// The order of a triangulation that has all these edges; nothing if it is none or lacks one.
+std::optional<unsigned> order_with(const Enumeration& all, const thalweg::Triangulation& t,
+                                   EdgeSet required) {
+  EdgeSet edges = 0;
+  for (const oracle::Tri& face : support::triangles_of(t)) {
+    if (!all.is_face(face)) return std::nullopt;
+    edges |= Enumeration::sides_of(face);
+  }
+  const Enumeration::Entry* entry = all.find(edges);
+  if (entry == nullptr || (edges & required) != required) return std::nullopt;
+  return entry->order;
+}
+
+/// A few edges of some triangulation, but none that every Delaunay triangulation has, for these change
+/// nothing; fewer if there are not that many.
+std::vector<Pair> draw_edges(const Enumeration& all, EdgeSet always, support::Random& random) {
+  const EdgeSet edges = all.all()[random.below(static_cast<std::uint32_t>(all.all().size()))].edges & ~always;
+  std::vector<Pair> held;
+  for (std::uint32_t v = 1; v < all.size(); ++v) {
+    for (std::uint32_t u = 0; u < v; ++u) {
+      if ((edges & oracle::edge(u, v)) != 0) held.emplace_back(u, v);
+    }
+  }
+  std::vector<Pair> result;
+  for (std::uint32_t more = 2 + random.below(4); more > 0 && !held.empty(); --more) {
+    const std::uint32_t i = random.below(static_cast<std::uint32_t>(held.size()));
+    result.push_back(held[i]);
+    held.erase(held.begin() + i);
+  }
+  return result;
+}
+
+/// Edges no two of which cross, at the least order at which each is useful, extend to a triangulation of that
+/// order or they do not: `find` knows which, whether the constrained Delaunay triangulation will do or others
+/// have to be tried.
+TEST(Completion, KnowsWhichEdgesExtend) {
+  const std::uint64_t sets = support::from_environment("THALWEG_EXACT_SETS", 1500);
+  const std::uint64_t seed = support::from_environment("THALWEG_EXACT_SEED", 20090601);
+  std::uint64_t constrained = 0, grown = 0, impossible = 0;
+  for (std::uint64_t i = 0; i < sets; ++i) {
+    const DrawnSet set = support::draw_set(seed, i);
+    const Enumeration& all = *set.enumeration;
+    const Surface surface = surface_of(set.cloud);
+    std::vector<EdgeSet> useful;
+    for (unsigned k = 0; k <= all.most_order(); ++k) useful.push_back(all.useful(k));
+    EdgeSet always = useful[0];
+    for (const Enumeration::Entry& t : all.all()) always &= t.order == 0 ? t.edges : always;
+    support::Random random(i);
+    for (int draw = 0; draw < 40; ++draw) {
+      EdgeSet edges = 0;
+      std::vector<RequiredEdge> required;
+      std::string names;
+      for (const auto& [u, v] : draw_edges(all, always, random)) {
+        edges |= oracle::edge(u, v);
+        required.push_back({support::vertex(u), support::vertex(v)});
+        names += " " + std::to_string(u) + "-" + std::to_string(v);
+      }
+      unsigned k = 0;
+      while ((edges & ~useful[k]) != 0) ++k;
+      SCOPED_TRACE(support::printed(set.cloud) + " order " + std::to_string(k) + ", edges" + names);
+      Completion completion(surface, k);
+      const auto answer = completion.find(required, 1'000'000, Watch());
+      const bool possible = all.least_order(edges) <= k;
+      ASSERT_EQ(answer, possible ? Completion::Answer::found : Completion::Answer::impossible);
+      ASSERT_TRUE(!possible || order_with(all, completion.triangulation(), edges).value_or(k + 1) <= k);
+      ++(!possible ? impossible : completion.edges().size() > required.size() ? grown : constrained);
+    }
+  }
+  std::printf("%llu by constraints alone, %llu grown, %llu impossible\n",
+              static_cast<unsigned long long>(constrained), static_cast<unsigned long long>(grown),
+              static_cast<unsigned long long>(impossible));
+  EXPECT_GE(constrained, sets);
+  EXPECT_GE(grown, sets / 200);  // rare, whatever is drawn
+  EXPECT_GE(impossible, sets / 20);
+}
+
+/// From the worst start, with the plan and with one that knows no bound, so that nothing is pruned but by the
+/// search itself.
+TEST(ExactSearch, FindsTheOptimumFromDelaunay) {
+  const std::uint64_t sets = support::from_environment("THALWEG_EXACT_SETS", 1500);
+  const std::uint64_t seed = support::from_environment("THALWEG_EXACT_SEED", 20090601);
+  for (std::uint64_t i = 0; i < sets; ++i) {
+    const DrawnSet set = support::draw_set(seed, i);
+    const Enumeration& all = *set.enumeration;
+    const oracle::Relief relief(set.cloud.elevations());
+    const auto fewest = all.fewest_pits(relief);
+    const Surface surface = surface_of(set.cloud);
+    for (unsigned k = 0; k <= all.most_order(); ++k) {
+      SCOPED_TRACE(support::printed(set.cloud) + " order " + std::to_string(k));
+      const auto exits = thalweg::detail::find_exits(surface, k, 1, nullptr);
+      const Plan plan = thalweg::detail::make_plan(surface, exits, k, Watch());
+      ASSERT_LE(plan.bound, fewest[k]);
+      const Plan no_plan{{0, {}, {0}}, thalweg::detail::Crossings(surface, {}), {}, 0};
+      for (const Plan* with : {&plan, &no_plan}) {
+        Outcome start;
+        start.triangulation = surface.delaunay();
+        start.pits = surface.pits().size();
+        const auto found = exact_pits(surface, *with, start, k, Watch());
+        ASSERT_EQ(found.outcome.pits, fewest[k]);
+        ASSERT_EQ(found.bound, fewest[k]);
+        ASSERT_LE(order_with(all, found.outcome.triangulation, 0).value_or(k + 1), k);
+        ASSERT_EQ(find_pits(found.outcome.triangulation, surface.z()).size(), fewest[k]);
+      }
+    }
+  }
+}
+
+}  // namespace
