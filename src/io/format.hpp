@@ -13,7 +13,8 @@ enum class Format { xyz, csv, tsv, asc, obj, ply, ply_ascii, two_dm, geojson, sv
 
 enum class Direction { read, write };
 
-/// The name by which --from and --to know the format: xyz, csv, tsv, asc, obj, ply, ply-ascii, 2dm, geojson, svg.
+/// The name by which --from and --to know the format: xyz, csv, tsv, asc, obj, ply, ply-ascii, 2dm, geojson,
+/// svg.
 std::string_view name_of(Format format) noexcept;
 
 /// The format called `forced`, or if that is empty the one of the suffix of `path` (any case; .txt, .dat and
