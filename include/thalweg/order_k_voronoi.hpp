@@ -191,8 +191,8 @@ class OrderKVoronoi {
 /// Deterministic: the same set of coordinates gives the same cells. Errors: invalid_argument if k is 0;
 /// too_few_points if k is more than the number of distinct points; not_finite with the rows; too_many_points
 /// if ids do not suffice (half-edges: beyond about 358e6 / k points). Complexity: O(k^2 n + n log n)
-/// expected; about (180 + 4 k) k bytes a site at the peak, of which three quarters remain for small k and
-/// nearly all for large. Source: Lee 1982, the iteration; see src/order/voronoi_map.hpp and voronoi_hole.hpp.
+/// expected; memory per site about 8 k^2 + 260 k bytes, and 415 k at the peak. Source: Lee 1982, the
+/// iteration over orders; see src/order/voronoi_map.hpp and voronoi_hole.hpp.
 Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k,
                                       const OrderKVoronoiOptions& options = {});
 
