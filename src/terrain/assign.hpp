@@ -30,6 +30,14 @@ Plan make_plan(const Surface& surface, std::span<const Exit> exits, unsigned k, 
 /// k. Where they have not, exits that do not get on with each other are kept apart, and the assignment is
 /// solved again. When the pits of the result equal the bound, it is optimal: no order-k triangulation has
 /// fewer.
+///
+/// At order 1, in general position, this never fails. A pair of useful order 1 crosses one Delaunay edge
+/// (sleeve_search.hpp: no more than one site on either side), so its hull is a quadrilateral of two triangles
+/// whose diagonal it replaces. If two such hulls share a triangle, both pairs run from corners of it through
+/// the opposite sides, and cross. Chosen exits do not cross, so their hulls share nothing, and every triangle
+/// is one of a single insertion: of order 1. The flip rule alone finds this optimum in general position in
+/// every set that was enumerated, but not always where ground is level or sites are collinear: a flip that
+/// gains nothing can block one that does.
 std::optional<Outcome> insert_assignment(const Surface& surface, const Plan& plan, unsigned k,
                                          const Watch& watch);
 
