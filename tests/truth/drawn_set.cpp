@@ -91,6 +91,10 @@ Places draw_places(SetKind kind, std::uint32_t count, Random& random) {
       const int height = triangle ? width : static_cast<int>(random.whole(2, 12));
       return distinct(count, [&] { return near_border(random, width, height, triangle); });
     }
+    case SetKind::strip: {
+      const int height = static_cast<int>(random.whole(2, 5));
+      return distinct(count, [&] { return in_box(random, 1000, height); });
+    }
     default:
       return distinct(count, [&] { return in_box(random, 1000, 1000); });
   }
@@ -200,7 +204,7 @@ std::shared_ptr<const Enumeration> enumerate(const Places& places) {
 
 /// Sites with a conflict, if a few attempts find some, and elevations that make it matter.
 DrawnSet draw_with_conflict(Random& random) {
-  constexpr std::uint32_t kPlaceKinds = 6;
+  constexpr std::uint32_t kPlaceKinds = 7;
   for (int attempt = 0;; ++attempt) {
     const std::uint32_t count = 7 + random.below(5);
     const Places places = draw_places(static_cast<SetKind>(random.below(kPlaceKinds)), count, random);
@@ -392,8 +396,8 @@ DrawnSet draw_known_trap(Random& random) {
 }  // namespace
 
 const char* set_kind_name(SetKind kind) noexcept {
-  constexpr std::array<const char*, kSetKinds> kNames = {"general", "grid5",          "grid7",    "flats",
-                                                         "circle",  "collinear_hull", "conflict", "trap"};
+  constexpr std::array<const char*, kSetKinds> kNames = {
+      "general", "grid5", "grid7", "flats", "circle", "collinear_hull", "strip", "conflict", "trap"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -19,10 +19,11 @@ enum class SetKind : std::uint8_t {
   flats,           ///< a square of side 31, four elevations
   circle,          ///< integer points of a circle, and some inside
   collinear_hull,  ///< on the sides of a rectangle or triangle, and some inside
+  strip,           ///< 1000 by 2 to 5: slivers, circles that are almost lines
   conflict,        ///< places as in one of the others; two edges that exclude each other are wanted
   trap             ///< known traps, disturbed
 };
-inline constexpr std::uint32_t kSetKinds = 8;
+inline constexpr std::uint32_t kSetKinds = 9;
 
 const char* set_kind_name(SetKind kind) noexcept;
 

@@ -112,6 +112,73 @@ TEST(Completion, KnowsWhichEdgesExtend) {
   EXPECT_GE(impossible, sets / 20);
 }
 
+struct Extensible {
+  std::vector<thalweg::Point3> points;
+  unsigned order;
+  std::vector<Pair> edges;
+};
+
+/// Found by comparing `find` with a version that takes the first triangle that fits and never takes one back.
+TEST(Completion, TakesBackTrianglesThatLeadNowhere) {
+  const Extensible cases[] = {
+      {{{705, 0, 0},
+        {884, 0, 1},
+        {380, 3, 2},
+        {419, 0, 3},
+        {603, 3, 4},
+        {785, 3, 5},
+        {65, 0, 6},
+        {851, 0, 7},
+        {670, 3, 8},
+        {106, 0, 9},
+        {961, 1, 10}},
+       4,
+       {{4, 9}, {3, 10}, {4, 10}}},
+      {{{458, 3, 0},
+        {74, 3, 1},
+        {92, 1, 2},
+        {527, 1, 3},
+        {993, 3, 4},
+        {298, 3, 5},
+        {94, 1, 6},
+        {56, 0, 7},
+        {965, 2, 8},
+        {12, 2, 9},
+        {305, 3, 10},
+        {554, 0, 11}},
+       6,
+       {{0, 8}, {0, 9}, {3, 9}}},
+      {{{592, 2, 0},
+        {544, 0, 1},
+        {698, 1, 2},
+        {229, 0, 3},
+        {37, 1, 4},
+        {776, 2, 5},
+        {513, 0, 6},
+        {275, 2, 7},
+        {148, 2, 8},
+        {823, 2, 9},
+        {690, 2, 10},
+        {841, 2, 11}},
+       5,
+       {{4, 5}, {2, 3}, {4, 7}}},
+  };
+  for (const Extensible& c : cases) {
+    const support::Cloud cloud{c.points};
+    SCOPED_TRACE(support::printed(cloud));
+    const Surface surface = surface_of(cloud);
+    std::vector<RequiredEdge> required;
+    for (const auto& [u, v] : c.edges) required.push_back({support::vertex(u), support::vertex(v)});
+    Completion completion(surface, c.order);
+    ASSERT_EQ(completion.find(required, 1'000'000, Watch()), Completion::Answer::found);
+    const auto sites = oracle::sites_of(std::span<const thalweg::Point3>(c.points));
+    const auto triangles = support::triangles_of(completion.triangulation());
+    ASSERT_TRUE(oracle::is_triangulation(sites, triangles));
+    for (const oracle::Tri& t : triangles) EXPECT_LE(oracle::triangle_order(sites, t), c.order);
+    for (const RequiredEdge& e : required) EXPECT_TRUE(completion.triangulation().joined(e.u, e.v));
+  }
+}
+
 /// From the worst start, with the plan and with one that knows no bound, so that nothing is pruned but by the
 /// search itself.
 TEST(ExactSearch, FindsTheOptimumFromDelaunay) {
