@@ -5,8 +5,12 @@
 ///     THALWEG_EXACT_SETS=20000 THALWEG_EXACT_SEED=1 test_truth --gtest_filter='Exhaustive.*'
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdio>
 #include <ctime>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -146,6 +150,27 @@ TEST(Exhaustive, ExactIsOptimalAndCertified) {
   for (const std::string& miss : misses) std::printf("%s\n", miss.c_str());
   EXPECT_EQ(other_misses, 0u);
   EXPECT_LE(adversarial_misses, adversarial_cases / 2000);
+}
+
+/// Three pits of equal elevation lead to each other round a ring: one of them is left over.
+TEST(Exhaustive, LevelPitsDoNotDrainInARing) {
+  const support::Cloud cloud{{{0, 1, 3},
+                              {1, 0, 0},
+                              {3, 0, 5},
+                              {0, 4, 4},
+                              {2, 4, 6},
+                              {4, 3, 3},
+                              {4, 1, 1},
+                              {0, 2, 5},
+                              {3, 4, 0},
+                              {4, 2, 0}}};
+  const auto sites = oracle::sites_of(std::span<const thalweg::Point3>(cloud.points));
+  DrawnSet set{support::SetKind::grid5, cloud, std::make_shared<const Enumeration>(sites)};
+  Tally tally;
+  std::vector<std::string> misses;
+  judge(set, tally, misses);
+  EXPECT_EQ(tally.best_worse, 0u);
+  EXPECT_EQ(tally.best_open, 0u);
 }
 
 /// They are worth drawing only if choosing ways down alone promises too much on them.
