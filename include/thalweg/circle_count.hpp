@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "thalweg/order_k_voronoi.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/triangulation.hpp"
+#include "thalweg/voronoi_counter.hpp"
 
 namespace thalweg {
 
@@ -26,15 +29,23 @@ class DelaunayGraph {
   }
   const Triangulation& delaunay() const noexcept { return *delaunay_; }
 
+  /// From now on counters made for this graph answer by point location in the diagram whatever it is deep
+  /// enough for: limits less than its order. The answers are the same. Requires: the order-k Voronoi diagram
+  /// of the same sites in the same order; it outlives the graph; no counter of this graph exists yet.
+  void count_by(const OrderKVoronoi& diagram) noexcept { voronoi_ = &diagram; }
+  /// The diagram that `count_by` was given, or null.
+  const OrderKVoronoi* voronoi() const noexcept { return voronoi_; }
+
  private:
   std::span<const Point2> sites_;
   const Triangulation* delaunay_;
   std::vector<std::uint32_t> starts_;
   std::vector<VertexId> neighbors_;
+  const OrderKVoronoi* voronoi_ = nullptr;
 };
 
-/// Counts sites in circles by a search of the Delaunay graph. Holds scratch memory of 4 bytes a site: one per
-/// thread.
+/// Counts sites in circles by a search of the Delaunay graph, or by point location if the graph says so.
+/// Holds scratch memory of 4 bytes a site: one per thread.
 class CircleCounter {
  public:
   /// Requires: `graph` outlives the counter.
@@ -57,9 +68,12 @@ class CircleCounter {
   std::uint64_t calls() const noexcept { return calls_; }
 
  private:
+  unsigned crawl(VertexId u, VertexId v, VertexId w, unsigned limit);
+
   const DelaunayGraph* graph_;
+  std::optional<VoronoiCounter> located_;
   std::vector<std::uint32_t> stamp_;
-  std::vector<VertexId> queue_;
+  std::vector<VertexId> queue_;  // a corner, then the sites found inside
   std::uint32_t epoch_ = 0;
   std::uint64_t calls_ = 0;
 };

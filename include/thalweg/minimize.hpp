@@ -29,10 +29,18 @@ enum class Method {
 /// Which elevation a site takes that occurs in several rows.
 enum class DuplicatePolicy { lowest, highest, mean, first, last, error };
 
+/// How sites in circles are counted. Both give the same answers, and so the same result.
+enum class Counter {
+  crawl,    ///< search of the Delaunay graph: no memory, no preparation
+  voronoi,  ///< point location in the order-(k+1) Voronoi diagram, as in the paper: hundreds of bytes times k
+            ///< a site
+};
+
 struct MinimizeOptions {
   unsigned order = 8;  ///< k: every circumcircle holds at most so many sites
   Method method = Method::best;
   DuplicatePolicy duplicates = DuplicatePolicy::lowest;
+  Counter counter = Counter::crawl;
   unsigned threads = 0;     ///< 0 = all of the machine; the result does not depend on it
   double time_limit = 0;    ///< seconds that Method::exact may search beyond best; 0 = until the end
   bool keep_trail = false;  ///< fill Minimized::trail (24 bytes a step)

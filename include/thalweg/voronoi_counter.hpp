@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "thalweg/order_k_voronoi.hpp"
 
@@ -9,7 +11,7 @@ namespace thalweg {
 
 /// Answers the question of `CircleCounter` with an order-k Voronoi diagram: locate the centre of the circle;
 /// the k sites of its cell are the nearest, so those inside the circle, if they are fewer than k, are among
-/// them. Holds no memory of its own; the diagram is shared among counters.
+/// them. The diagram is shared among counters.
 class VoronoiCounter {
  public:
   /// Requires: `diagram` outlives the counter. To count up to k sites its order must be k + 1 (or all sites).
@@ -21,11 +23,16 @@ class VoronoiCounter {
   /// Source: Theorem 6 of the paper.
   unsigned count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit);
 
+  /// The sites that the last `count_in_circle` found inside: all of them, if they were not more than its
+  /// limit.
+  std::span<const VertexId> inside() const noexcept { return inside_; }
+
   /// How often `count_in_circle` was called.
   std::uint64_t calls() const noexcept { return calls_; }
 
  private:
   const OrderKVoronoi* diagram_;
+  std::vector<VertexId> inside_;
   std::uint64_t calls_ = 0;
 };
 

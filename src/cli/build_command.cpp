@@ -46,6 +46,7 @@ struct BuildOptions {
   unsigned order = 8;
   Method method = Method::best;
   double time_limit = 60;
+  Counter counter = Counter::crawl;
   DuplicatePolicy duplicates = DuplicatePolicy::lowest;
   std::string pits;
   bool fail_on_pits = false;
@@ -93,6 +94,7 @@ MinimizeOptions minimize_options(const BuildOptions& options, Console& console) 
   minimize.order = options.order;
   minimize.method = options.method;
   minimize.time_limit = options.time_limit;
+  minimize.counter = options.counter;
   minimize.duplicates = options.duplicates;
   minimize.threads = options.run.threads;
   minimize.cancel = &interrupted();
@@ -223,6 +225,12 @@ Command add_build(CLI::App& thalweg) {
       "to be optimal, or exact, which goes on searching where it is not (default: best)",
       "a method: " + std::string(kMethodNames), [](const std::string& s) { return parse_method(s); },
       [options](Method m) { options->method = m; });
+  add_parsed<Counter>(
+      *app, "--counter", "COUNTER",
+      "How sites in circles are counted, with the same result: crawl, or voronoi, which takes more time and\n"
+      "memory (default: crawl)",
+      "a counter: crawl, voronoi", [](const std::string& s) { return parse_counter(s); },
+      [options](Counter c) { options->counter = c; });
   add_parsed<double>(
       *app, "--time-limit", "SECONDS",
       "How long -m exact may go on searching; then the best found and the bound are reported (default: 60;\n"

@@ -17,6 +17,8 @@ constexpr Names<Method, 5> kMethods = {{{"delaunay", Method::delaunay},
                                         {"best", Method::best},
                                         {"exact", Method::exact}}};
 
+constexpr Names<Counter, 2> kCounters = {{{"crawl", Counter::crawl}, {"voronoi", Counter::voronoi}}};
+
 constexpr Names<DuplicatePolicy, 6> kPolicies = {{{"lowest", DuplicatePolicy::lowest},
                                                   {"highest", DuplicatePolicy::highest},
                                                   {"mean", DuplicatePolicy::mean},
@@ -44,6 +46,10 @@ std::optional<Value> value_in(const Names<Value, N>& names, std::string_view nam
 std::string_view name_of(Method method) noexcept {
   return name_in(kMethods, method);
 }
+std::optional<Counter> parse_counter(std::string_view name) noexcept {
+  return value_in(kCounters, name);
+}
+
 std::optional<Method> parse_method(std::string_view name) noexcept {
   return value_in(kMethods, name);
 }

@@ -8,9 +8,11 @@
 
 namespace thalweg::cli {
 
-/// delaunay, flip, hull, best.
+/// delaunay, flip, hull, best, exact.
 std::string_view name_of(Method method) noexcept;
 std::optional<Method> parse_method(std::string_view name) noexcept;
+/// crawl, voronoi.
+std::optional<Counter> parse_counter(std::string_view name) noexcept;
 
 /// lowest, highest, mean, first, last, error.
 std::string_view name_of(DuplicatePolicy policy) noexcept;

@@ -33,10 +33,23 @@ DelaunayGraph::DelaunayGraph(std::span<const Point2> sites, const Triangulation&
   }
 }
 
-CircleCounter::CircleCounter(const DelaunayGraph& graph) : graph_(&graph), stamp_(graph.sites().size(), 0) {}
+CircleCounter::CircleCounter(const DelaunayGraph& graph) : graph_(&graph), stamp_(graph.sites().size(), 0) {
+  if (graph.voronoi() != nullptr) located_.emplace(*graph.voronoi());
+}
 
 unsigned CircleCounter::count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit) {
   ++calls_;
+  const OrderKVoronoi* diagram = graph_->voronoi();
+  const bool is_deep_enough =
+      diagram != nullptr && (limit < diagram->order() || diagram->order() == diagram->site_count());
+  if (!is_deep_enough) return crawl(u, v, w, limit);
+  const unsigned count = located_->count_in_circle(u, v, w, limit);
+  queue_.assign(1, u);
+  queue_.insert(queue_.end(), located_->inside().begin(), located_->inside().end());
+  return count;
+}
+
+unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit) {
   if (++epoch_ == 0) {
     std::fill(stamp_.begin(), stamp_.end(), 0);
     epoch_ = 1;

@@ -83,12 +83,13 @@ unsigned VoronoiCounter::count_in_circle(VertexId u, VertexId v, VertexId w, uns
   THALWEG_ASSERT(limit < diagram_->order() || diagram_->order() == diagram_->site_count());
   ++calls_;
   const detail::CirclePlane circle(diagram_->point(u), diagram_->point(v), diagram_->point(w));
-  unsigned count = 0;
+  inside_.clear();
   for (const VertexId site : diagram_->sites(diagram_->locate_centre(u, v, w))) {
-    if (site == u || site == v || site == w) continue;
-    if (circle.holds(diagram_->point(site)) && ++count > limit) break;
+    if (site == u || site == v || site == w || !circle.holds(diagram_->point(site))) continue;
+    inside_.push_back(site);
+    if (inside_.size() > limit) break;
   }
-  return count;
+  return static_cast<unsigned>(inside_.size());
 }
 
 namespace detail {

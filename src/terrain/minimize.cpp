@@ -181,8 +181,13 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
   if (watch.stopped()) return cancelled();
 
   start = std::chrono::steady_clock::now();
-  const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
+  Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
   const unsigned k = effective_order(surface, options.order);
+  if (options.counter == Counter::voronoi) {
+    // Circles of up to k sites are told apart by the k + 1 nearest.
+    watch.report("building the Voronoi diagram", 0);
+    if (auto error = surface.count_by_voronoi(k + 1, watch.threads)) return *std::move(error);
+  }
   watch.report("searching exits", 0);
   const std::vector<detail::Exit> exits = detail::find_exits(surface, k, watch.threads, options.cancel);
   if (watch.stopped()) return cancelled();

@@ -41,6 +41,14 @@ Surface::Surface(std::vector<Point2> sites, std::vector<double> z, Triangulation
   }
 }
 
+std::optional<Error> Surface::count_by_voronoi(unsigned k, unsigned threads) {
+  auto diagram = order_k_voronoi(sites_, k, {threads});
+  if (!diagram) return std::move(diagram).error();
+  voronoi_.emplace(*std::move(diagram));
+  graph_.count_by(*voronoi_);
+  return std::nullopt;
+}
+
 VertexId Surface::lowest(std::span<const VertexId> vertices) const noexcept {
   return *std::min_element(vertices.begin(), vertices.end(),
                            [&](VertexId u, VertexId v) { return lower(u, v); });

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "thalweg/circle_count.hpp"
+#include "thalweg/order_k_voronoi.hpp"
 #include "thalweg/pits.hpp"
 #include "thalweg/point.hpp"
+#include "thalweg/result.hpp"
 #include "thalweg/triangulation.hpp"
 
 namespace thalweg::detail {
@@ -26,6 +29,10 @@ class Surface {
   double z(VertexId v) const noexcept { return z_[v.index()]; }
   const Triangulation& delaunay() const noexcept { return delaunay_; }
   const DelaunayGraph& graph() const noexcept { return graph_; }
+
+  /// Builds the order-k Voronoi diagram of the sites for all counting from now on. Returns what went wrong,
+  /// if anything. Requires: 1 <= k <= number of sites; no counter exists yet.
+  std::optional<Error> count_by_voronoi(unsigned k, unsigned threads);
 
   /// The place of v in elevation order (z, x, y), from 0: the paper's "height normalised to 1 .. n".
   std::uint32_t rank(VertexId v) const noexcept { return rank_[v.index()]; }
@@ -45,6 +52,7 @@ class Surface {
   std::vector<double> z_;
   Triangulation delaunay_;
   DelaunayGraph graph_;
+  std::optional<OrderKVoronoi> voronoi_;
   std::vector<std::uint32_t> rank_;
   Pits pits_;
   std::vector<std::uint32_t> pit_of_;

@@ -111,6 +111,21 @@ RC_GTEST_PROP(MinimizeLaws, NumberOfThreadsDoesNotMatter, ()) {
   }
 }
 
+RC_GTEST_PROP(MinimizeLaws, CounterDoesNotMatter, ()) {
+  const Cloud cloud = *support::clouds(40);
+  thalweg::MinimizeOptions options;
+  options.order = *orders();
+  options.method = any_method();
+  options.threads = 1;
+  const Minimized crawled = thalweg::minimize_pits(cloud.points, options).value();
+  options.counter = thalweg::Counter::voronoi;
+  const Minimized located = thalweg::minimize_pits(cloud.points, options).value();
+  RC_ASSERT(located.triangulation == crawled.triangulation);
+  RC_ASSERT(located.face_orders == crawled.face_orders);
+  RC_ASSERT(located.lower_bound == crawled.lower_bound);
+  RC_ASSERT(located.circle_counts == crawled.circle_counts);
+}
+
 RC_GTEST_PROP(MinimizeLaws, LargerOrderIsNeverWorse, ()) {
   const Cloud cloud = *support::clouds(40);
   std::map<Method, std::uint32_t> least;
