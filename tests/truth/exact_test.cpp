@@ -2,7 +2,10 @@
 /// order.
 ///
 /// More sets, or other ones:
-///     THALWEG_EXACT_SETS=20000 THALWEG_EXACT_SEED=1 test_truth --gtest_filter='Exhaustive.*'
+///     THALWEG_EXACT_SETS=40000 THALWEG_EXACT_SEED=2 nice -n 10 test_truth --gtest_filter='Exhaustive.Exact*'
+/// That run took 122 s on half a shared core and saw 257,397 cases, a set at an order each: `best` attained
+/// the optimum in all and proved it in all but the 4,453 traps; `exact` attained and proved it in all, in at
+/// most 0.3 ms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
