@@ -67,7 +67,7 @@ bool same_place(const Point3& a, const Point3& b) {
   return a.x == b.x && a.y == b.y;
 }
 
-/// Of rows at one place, which is to stand for all: a negative answer for a if it is that rather than b.
+/// Whether row a, rather than row b at the same place, is to stand for all that are there.
 bool stands_before(std::span<const Point3> points, std::uint32_t a, std::uint32_t b, DuplicatePolicy policy) {
   const double za = points[a].z, zb = points[b].z;
   if (policy == DuplicatePolicy::lowest && za != zb) return za < zb;

@@ -32,16 +32,16 @@ std::uint32_t for_each_polygon(const RowWriter& out, const VoronoiView& view, Dr
 }
 
 std::uint32_t write_geojson(RowWriter& out, const VoronoiView& view) {
-  out << "{\"type\":\"FeatureCollection\",\"features\":[\n";
+  out << R"({"type":"FeatureCollection","features":[)" << '\n';
   const char* separator = "";
   const std::uint32_t drawn =
       for_each_polygon(out, view, [&](CellId cell, const std::vector<Point2>& polygon) {
-        out << separator << "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[";
+        out << separator << R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[)";
         for (const Point2 p : polygon) out << '[' << p.x << ',' << p.y << "],";
-        out << '[' << polygon[0].x << ',' << polygon[0].y << "]]]},\"properties\":{\"cell\":" << cell.index()
-            << ",\"sites\":[";
+        out << '[' << polygon[0].x << ',' << polygon[0].y << R"(]]]},"properties":{"cell":)" << cell.index()
+            << R"(,"sites":[)";
         write_sites(out, view, cell);
-        out << "],\"unbounded\":" << (view.diagram->unbounded(cell) ? "true" : "false") << "}}";
+        out << R"(],"unbounded":)" << (view.diagram->unbounded(cell) ? "true" : "false") << "}}";
         separator = ",\n";
       });
   out << "\n]}\n";
@@ -69,11 +69,11 @@ struct Picture {
 
 std::uint32_t write_svg(RowWriter& out, const VoronoiView& view) {
   const Picture picture(view.box);
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << kPictureWidth << ' '
+  out << R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" << kPictureWidth << ' '
       << picture.height() << "\">\n<g stroke=\"#333\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
   const std::uint32_t drawn =
       for_each_polygon(out, view, [&](CellId cell, const std::vector<Point2>& polygon) {
-        out << "<path fill=\"" << kColours[cell.index() % kColours.size()] << "\" d=\"";
+        out << R"(<path fill=")" << kColours[cell.index() % kColours.size()] << R"(" d=")";
         char command = 'M';
         for (const Point2 p : polygon) {
           const Point2 q = picture.place(p);
@@ -87,7 +87,7 @@ std::uint32_t write_svg(RowWriter& out, const VoronoiView& view) {
   out << "</g>\n<g fill=\"#000\">\n";
   for (std::uint32_t v = 0; v < view.names.size() && !out.failed(); ++v) {
     const Point2 p = picture.place(view.diagram->point(VertexId(v)));
-    out << "<circle cx=\"" << p.x << "\" cy=\"" << p.y << "\" r=\"1.5\"><title>" << view.names[v]
+    out << R"(<circle cx=")" << p.x << R"(" cy=")" << p.y << R"(" r="1.5"><title>)" << view.names[v]
         << "</title></circle>\n";
   }
   out << "</g>\n</svg>\n";

@@ -56,7 +56,7 @@ void build_in_line(OrderKVoronoi& diagram, std::span<const Point2> sites,
   const std::vector<std::uint32_t> along = along_the_line(sites);
   VoronoiBuilder::take_map(diagram, strips(along, diagram.order()));
   std::vector<VertexId> set;
-  for (unsigned i = 0; i < diagram.order(); ++i) set.push_back(VertexId(rows[along[i]]));
+  for (unsigned i = 0; i < diagram.order(); ++i) set.emplace_back(rows[along[i]]);
   std::sort(set.begin(), set.end());
   // The lowest half-edge beside a strip but the first is slot 0 of its line; that of the first is slot 2 of
   // the first line, and so its strip is the second found.

@@ -139,7 +139,7 @@ void VoronoiBuilder::spread_sets(OrderKVoronoi& diagram, std::uint32_t cell, std
 
 void VoronoiBuilder::one_cell(OrderKVoronoi& diagram) {
   diagram.first_ = {0, 0, 0};
-  for (const std::uint32_t row : diagram.rows_) diagram.sets_.push_back(VertexId(row));
+  for (const std::uint32_t row : diagram.rows_) diagram.sets_.emplace_back(row);
   std::sort(diagram.sets_.begin(), diagram.sets_.end());
 }
 

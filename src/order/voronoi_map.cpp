@@ -90,7 +90,7 @@ VoronoiMap first_order(const Triangulation& delaunay) {
   const HalfedgeId first(h);
   HalfedgeId edge = first;
   do {
-    const std::uint32_t ghost = static_cast<std::uint32_t>(map.corner.size());
+    const auto ghost = static_cast<std::uint32_t>(map.corner.size());
     const bool start = ghost == 3 * first_ghost;
     map.corner.insert(map.corner.end(),
                       {delaunay.dest(edge).index(), delaunay.origin(edge).index(), kInfinity});
