@@ -156,6 +156,35 @@ TEST_F(CliBuild, MethodsAreNeverWorseThanDelaunayAndBestIsLeast) {
   EXPECT_EQ(run_json({"build", "points.xyz"})["parameters"]["order"], 8);
 }
 
+/// Nine sites whose optimum at order 4 lies above the bound that `best` has: only the search can prove it.
+TEST_F(CliBuild, ExactProvesWhatBestCannot) {
+  write("trap.xyz", "6 6 3\n8 0 3\n2 8 28\n7 3 28\n5 7 16\n1 5 17\n1 8 0\n0 2 19\n0 5 20\n");
+  const Json best = run_json({"build", "trap.xyz", "-k", "4"});
+  EXPECT_EQ(best["pits"]["result"]["total"], 2);
+  EXPECT_EQ(best["pits"]["certified"], false);
+  for (const char* limit : {"0", "60"}) {
+    const Json exact = run_json({"build", "trap.xyz", "-k", "4", "-m", "exact", "--time-limit", limit});
+    EXPECT_EQ(exact["parameters"]["method"], "exact");
+    EXPECT_EQ(exact["pits"]["result"]["total"], 2);
+    EXPECT_EQ(exact["pits"]["lower_bound"], 2);
+    EXPECT_EQ(exact["pits"]["certified"], true);
+  }
+  const Outcome short_of_time =
+      run({"build", "trap.xyz", "-k", "4", "-m", "exact", "--time-limit", "0.000000001"});
+  EXPECT_EQ(short_of_time.code, 0);
+  for (const char* wrong : {"-1", "soon", "nan", ""}) {
+    EXPECT_EQ(run({"build", "trap.xyz", "-m", "exact", "--time-limit", wrong}).code, 2) << wrong;
+  }
+}
+
+TEST_F(CliBuild, SameBytesForEitherCounter) {
+  write("points.xyz", noise(500, 7));
+  ASSERT_EQ(run({"build", "points.xyz", "-o", "crawl.ply", "--counter", "crawl"}).code, 0);
+  ASSERT_EQ(run({"build", "points.xyz", "-o", "voronoi.ply", "--counter", "voronoi"}).code, 0);
+  EXPECT_TRUE(read("crawl.ply") == read("voronoi.ply"));
+  EXPECT_EQ(run({"build", "points.xyz", "--counter", "abacus"}).code, 2);
+}
+
 TEST_F(CliBuild, SameBytesForAnyNumberOfThreads) {
   write("points.xyz", noise(2000, 7));
   ASSERT_EQ(run({"build", "points.xyz", "-o", "one.ply", "--threads", "1"}).code, 0);
