@@ -133,7 +133,8 @@ std::optional<Outcome> insert_grown(const Surface& surface, const Plan& plan, un
   Outcome outcome = insert_all(surface, plan.units, plan.assignment.chosen, watch);
   EdgeInsertion insertion;
   const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
-  for (const auto& [u, v] : grown) {
+  for (const std::pair<VertexId, VertexId>& edge : grown) {
+    const VertexId u = edge.first, v = edge.second;
     // What one group has grown may run into another one's exits.
     const bool crosses =
         std::any_of(plan.assignment.chosen.begin(), plan.assignment.chosen.end(), [&](std::uint32_t e) {

@@ -16,19 +16,20 @@ Completion::Completion(const Surface& surface, unsigned k)
     : surface_(&surface), k_(k), counter_(surface.graph()) {}
 
 const std::vector<VertexId>& Completion::partners(VertexId v) {
-  const auto [it, is_new] = partners_.try_emplace(v.index());
-  if (is_new) {
+  const auto emplaced = partners_.try_emplace(v.index());
+  std::vector<VertexId>& partners = emplaced.first->second;
+  if (emplaced.second) {
     unsigned limit = k_;
     SleeveSearch(surface_->graph(), counter_)
         .run(
             v, limit, [](VertexId) { return true; },
             [&](VertexId q, unsigned) {
-              it->second.push_back(q);
+              partners.push_back(q);
               return false;
             });
-    std::sort(it->second.begin(), it->second.end());
+    std::sort(partners.begin(), partners.end());
   }
-  return it->second;
+  return partners;
 }
 
 Completion::Answer Completion::find(std::span<const RequiredEdge> edges, std::uint64_t budget,
@@ -107,7 +108,7 @@ std::optional<Completion::Decision> Completion::tightest_open_side() {
 
 /// The apexes of all triangles of order <= k left of the side that fit into the region as it is.
 std::vector<VertexId> Completion::apexes_at(const Edge& side) {
-  const auto [u, v] = side;
+  const VertexId u = side.first, v = side.second;
   std::vector<VertexId> common, apexes;
   const std::vector<VertexId>& of_u = partners(u);
   const std::vector<VertexId>& of_v = partners(v);
