@@ -157,7 +157,7 @@ Plan make_plan(const Surface& surface, std::span<const Exit> exits, unsigned k, 
   Crossings crossings(surface, units.exits);
   Assignment assignment;
   assignment.complete = false;
-  if (crossings.complete()) assignment = solve_assignment(units, crossings);
+  if (crossings.complete()) assignment = solve_assignment(units, crossings, watch.threads);
   const std::uint32_t bound = std::max(assignment.bound, reach_bound(surface, exits));
   return {std::move(units), std::move(crossings), std::move(assignment), bound};
 }
@@ -174,7 +174,7 @@ std::optional<Outcome> insert_assignment(const Surface& surface, const Plan& pla
   }
   Crossings apart = plan.crossings;
   apart.add(UneasyPairs(surface, plan, k).find());
-  const Assignment again = solve_assignment(plan.units, apart);
+  const Assignment again = solve_assignment(plan.units, apart, watch.threads);
   outcome = insert_all(surface, plan.units, again.chosen, watch);
   if (is_of_order(surface, k, outcome)) return outcome;
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernel/assert.hpp"
+#include "kernel/parallel.hpp"
 #include "terrain/disjoint_sets.hpp"
 
 namespace thalweg::detail {
@@ -193,12 +194,16 @@ class Component {
 
   void choose(std::uint32_t e) {
     choice_[units_.exits[e].unit] = e;
-    for (const std::uint32_t other : crossings_.of(e)) ++blocked_[other];
+    for (const std::uint32_t other : crossings_.of(e)) {
+      if (kernel_.is_open(units_.exits[other].unit)) ++blocked_[other];
+    }
   }
 
   void release(std::uint32_t e) {
     choice_[units_.exits[e].unit] = kNone;
-    for (const std::uint32_t other : crossings_.of(e)) --blocked_[other];
+    for (const std::uint32_t other : crossings_.of(e)) {
+      if (kernel_.is_open(units_.exits[other].unit)) --blocked_[other];
+    }
   }
 
   void keep() {
@@ -250,19 +255,36 @@ std::vector<std::vector<std::uint32_t>> components_of(const Units& units, const 
 
 }  // namespace
 
-Assignment solve_assignment(const Units& units, const Crossings& crossings) {
+Assignment solve_assignment(const Units& units, const Crossings& crossings, unsigned threads) {
   Assignment result;
   Kernel kernel(units, crossings);
   result.chosen = kernel.run();
   auto most = static_cast<std::uint32_t>(result.chosen.size());
 
+  // A component writes only to places of its own units and their exits, so that all can share the scratch
+  // arrays.
+  struct Solved {
+    std::vector<std::uint32_t> chosen;
+    std::uint32_t most = 0;
+    bool proved = false;
+  };
+  std::vector<std::vector<std::uint32_t>> components = components_of(units, crossings, kernel);
+  std::vector<Solved> solved(components.size());
   std::vector<std::uint32_t> blocked(units.exits.size(), 0), choice(units.count, kNone);
-  for (std::vector<std::uint32_t>& members : components_of(units, crossings, kernel)) {
-    Component component(units, crossings, kernel, std::move(members), blocked, choice);
-    const std::size_t before = result.chosen.size();
-    const bool proved = component.solve(result.chosen);
-    most += proved ? static_cast<std::uint32_t>(result.chosen.size() - before) : component.most();
-    result.complete = result.complete && proved;
+  parallel_chunks(components.size(), 1, threads, [&] {
+    return [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Component component(units, crossings, kernel, std::move(components[i]), blocked, choice);
+        solved[i].proved = component.solve(solved[i].chosen);
+        solved[i].most =
+            solved[i].proved ? static_cast<std::uint32_t>(solved[i].chosen.size()) : component.most();
+      }
+    };
+  });
+  for (const Solved& component : solved) {
+    result.chosen.insert(result.chosen.end(), component.chosen.begin(), component.chosen.end());
+    most += component.most;
+    result.complete = result.complete && component.proved;
   }
   std::sort(result.chosen.begin(), result.chosen.end());
   result.bound = units.count - most;

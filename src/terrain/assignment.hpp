@@ -41,6 +41,6 @@ struct Assignment {
 /// one with a smaller valid bound. Among largest ones exits of small order are preferred, unit by unit.
 /// Deterministic. Complexity: near-linear for the units that kernelisation settles (all but a few on real
 /// terrain), exponential at worst within a component, but bounded by the budget.
-Assignment solve_assignment(const Units& units, const Crossings& crossings);
+Assignment solve_assignment(const Units& units, const Crossings& crossings, unsigned threads = 1);
 
 }  // namespace thalweg::detail

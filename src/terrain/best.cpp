@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "terrain/changes.hpp"
+#include "terrain/ejection.hpp"
 #include "terrain/flip.hpp"
 #include "terrain/hull.hpp"
 
@@ -35,9 +36,12 @@ Outcome best_at(const Surface& surface, std::span<const Exit> exits, const Plan&
 
   Outcome best = insert_hulls(surface, exits, k, watch);
   insert_overlapping(surface, exits, k, watch, best);
+  if (best.pits > plan.bound) insert_chains(surface, k, watch, best);
+  if (best.pits == plan.bound) return best;
   if (watch.stopped()) return best;
   Outcome flips = flip_pits(surface, k, watch);
   insert_overlapping(surface, exits, k, watch, flips);
+  if (flips.pits > plan.bound) insert_chains(surface, k, watch, flips);
   keep_better(surface, best, std::move(flips));
   if (assigned) keep_better(surface, best, *std::move(assigned));
   return best;

@@ -1,0 +1,72 @@
+/// Ejection chains: never worse, always valid, and of use where single insertions are not.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "support/cloud.hpp"
+#include "support/surface.hpp"
+#include "terrain/ejection.hpp"
+#include "terrain/hull.hpp"
+#include "thalweg/circle_count.hpp"
+
+namespace {
+
+using support::surface_of;
+using thalweg::find_pits;
+using thalweg::Point3;
+using thalweg::detail::find_exits;
+using thalweg::detail::insert_chains;
+using thalweg::detail::insert_overlapping;
+using thalweg::detail::Outcome;
+using thalweg::detail::Surface;
+using thalweg::detail::Watch;
+
+Outcome delaunay_of(const Surface& surface) {
+  Outcome outcome;
+  outcome.triangulation = surface.delaunay();
+  outcome.pits = surface.pits().size();
+  return outcome;
+}
+
+RC_GTEST_PROP(InsertChains, NeverMakesItWorseAndKeepsTheOrder, ()) {
+  const support::Cloud cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto k = *rc::gen::inRange(0u, 8u);
+  Watch watch;
+  watch.keep_trail = true;
+  Outcome outcome = delaunay_of(surface);
+  insert_chains(surface, k, watch, outcome);
+  RC_ASSERT(outcome.pits <= surface.pits().size());
+  RC_ASSERT(outcome.pits == find_pits(outcome.triangulation, surface.z()).size());
+  RC_ASSERT(!outcome.triangulation.find_fault());
+  RC_ASSERT(outcome.trail.size() == outcome.insertions);
+  const auto orders = thalweg::face_orders(surface.graph(), outcome.triangulation, k);
+  RC_ASSERT(std::all_of(orders.begin(), orders.end(), [k](std::uint32_t order) { return order <= k; }));
+}
+
+/// Places and heights at random, until chains have found what single insertions could not.
+TEST(InsertChains, FindsWhatSingleInsertionsCannot) {
+  std::uint64_t state = 1;
+  const auto next = [&state](std::uint64_t below) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>((state >> 33) % below);
+  };
+  std::uint32_t gained = 0;
+  for (int set = 0; set < 3000 && gained == 0; ++set) {
+    std::vector<Point3> points;
+    for (int i = 0; i < 40; ++i) points.push_back({next(1 << 20), next(1 << 20), next(1 << 20)});
+    const Surface surface = surface_of(points);
+    Outcome outcome = delaunay_of(surface);
+    insert_overlapping(surface, find_exits(surface, 6, 1, nullptr), 6, Watch(), outcome);
+    const std::uint32_t single = outcome.pits;
+    insert_chains(surface, 6, Watch(), outcome);
+    gained += single - outcome.pits;
+  }
+  EXPECT_GT(gained, 0u);
+}
+
+}  // namespace
