@@ -16,6 +16,10 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 /// Steps that one component may take: a fraction of a second. Real terrain needs a few thousand in all.
 constexpr std::uint64_t kComponentBudget = 300'000;
 
+/// Steps that all components may take together: some seconds, shared equally where there are very many of
+/// them.
+constexpr std::uint64_t kTotalBudget = 100'000'000;
+
 /// Settles every unit that can have an exit at no cost to the others: one that crosses no exit of a unit
 /// still open, and leads to ground or to a settled unit. Exchanging whatever a largest assignment gives this
 /// unit for it keeps the size.
@@ -126,11 +130,12 @@ class Component {
   }
 
   /// Appends the exits of the largest assignment found; returns whether it is known to be a largest one.
-  bool solve(std::vector<std::uint32_t>& chosen) {
+  bool solve(std::uint64_t budget, std::vector<std::uint32_t>& chosen) {
+    budget_ = budget;
     most_ = most();
     search();
     for (const std::uint32_t e : best_) chosen.push_back(e);
-    return best_.size() == most_ || steps_ < kComponentBudget;
+    return best_.size() == most_ || steps_ < budget_;
   }
 
  private:
@@ -148,7 +153,7 @@ class Component {
     std::vector<Turn> turns;
     std::uint32_t served = 0;
     turns.push_back({units_.starts[members_[0]]});
-    while (!turns.empty() && best_.size() < most_ && steps_ < kComponentBudget) {
+    while (!turns.empty() && best_.size() < most_ && steps_ < budget_) {
       ++steps_;
       Turn& turn = turns.back();
       const std::uint32_t unit = members_[turns.size() - 1], end = units_.starts[unit + 1];
@@ -223,6 +228,7 @@ class Component {
   std::vector<std::uint32_t> best_;
   std::uint32_t most_ = 0;
   std::uint64_t steps_ = 0;
+  std::uint64_t budget_ = 0;
 };
 
 /// The open units, grouped by what ties them: exits that cross, and exits that lead from one to the other.
@@ -270,12 +276,14 @@ Assignment solve_assignment(const Units& units, const Crossings& crossings, unsi
   };
   std::vector<std::vector<std::uint32_t>> components = components_of(units, crossings, kernel);
   std::vector<Solved> solved(components.size());
+  const std::uint64_t budget =
+      std::min(kComponentBudget, kTotalBudget / std::max<std::size_t>(1, components.size()));
   std::vector<std::uint32_t> blocked(units.exits.size(), 0), choice(units.count, kNone);
   parallel_chunks(components.size(), 1, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Component component(units, crossings, kernel, std::move(components[i]), blocked, choice);
-        solved[i].proved = component.solve(solved[i].chosen);
+        solved[i].proved = component.solve(budget, solved[i].chosen);
         solved[i].most =
             solved[i].proved ? static_cast<std::uint32_t>(solved[i].chosen.size()) : component.most();
       }

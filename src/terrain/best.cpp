@@ -47,11 +47,21 @@ Outcome best_at(const Surface& surface, std::span<const Exit> exits, const Plan&
   return best;
 }
 
+/// Where there were too many crossings to plan with: hulls or flips, nothing more. Both only get better with
+/// k.
+Outcome plain_best(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch) {
+  Outcome best = insert_hulls(surface, exits, k, watch);
+  if (watch.stopped()) return best;
+  keep_better(surface, best, flip_pits(surface, k, watch));
+  return best;
+}
+
 }  // namespace
 
 Outcome best_pits(const Surface& surface, std::span<const Exit> exits, const Plan& plan, unsigned k,
                   const Watch& watch) {
-  Outcome best = best_at(surface, exits, plan, k, watch);
+  Outcome best = plan.crossings.complete() ? best_at(surface, exits, plan, k, watch)
+                                           : plain_best(surface, exits, k, watch);
   // A smaller order can only win while its bound is below what we have, and the bound grows as the order
   // falls.
   unsigned tried = 0;
@@ -60,6 +70,7 @@ Outcome best_pits(const Surface& surface, std::span<const Exit> exits, const Pla
     if (best.pits <= reach_bound(surface, within)) break;
     const Plan lower_plan = make_plan(surface, within, lower, watch);
     if (best.pits <= lower_plan.bound) break;
+    if (!lower_plan.crossings.complete()) continue;  // plain_best is no better there
     Outcome other = best_at(surface, within, lower_plan, lower, watch);
     if (other.pits < best.pits) keep_better(surface, best, std::move(other));
   }

@@ -38,12 +38,14 @@ class Chains {
       gained = false;
       for (const VertexId pit : pits_by_elevation()) {
         if (drain(pit, 0, 0)) gained = true;
-        if (tried_ >= kBudget || watch_.stopped()) return;
+        if (exhausted()) return;
       }
     }
   }
 
  private:
+  bool exhausted() const noexcept { return tried_ >= kBudget || flats_.exhausted() || watch_.stopped(); }
+
   std::vector<VertexId> pits_by_elevation() const {
     const Pits pits = find_pits(outcome_.triangulation, surface_.z());
     std::vector<VertexId> lowest;
@@ -60,7 +62,7 @@ class Chains {
     const std::vector<VertexId> pit(flats_.flat().begin(), flats_.flat().end());
     for (const VertexId p : pit) {
       for (const Exit& exit : exits_of(p)) {
-        if (tried_ >= kBudget || watch_.stopped()) return false;
+        if (exhausted()) return false;
         const bool stays_level = surface_.z(exit.to) == surface_.z(p);
         if (stays_level && std::find(pit.begin(), pit.end(), exit.to) != pit.end()) continue;
         if (insert(exit, depth, debt)) return true;

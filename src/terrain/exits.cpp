@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "kernel/parallel.hpp"
+#include "kernel/predicates_inline.hpp"
 #include "order/sleeve_search.hpp"
 #include "terrain/disjoint_sets.hpp"
 
@@ -55,6 +56,57 @@ std::optional<unsigned> least_order_within(const Surface& surface, SleeveSearch&
   return least;
 }
 
+/// Whether a triangle at p and the one across from p lie on one empty circle.
+bool at_cocircular_face(const Surface& surface, VertexId p) {
+  const Triangulation& t = surface.delaunay();
+  const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+  for (HalfedgeId h = t.outgoing(p), first = h; h.valid();) {
+    const HalfedgeId far = Triangulation::next(h), across = t.twin(far);
+    if (across.valid() && incircle_sign(at(p), at(t.origin(far)), at(t.dest(far)), at(t.apex(across))) == 0)
+      return true;
+    h = t.turn_ccw(h);
+    if (h == first) break;
+  }
+  return false;
+}
+
+/// The vertices of a pit that can have exits of order <= k: those near its shore. The sites on one side of a
+/// sleeve are a path of Delaunay edges from p to q, of at most k sites unless the whole sleeve is cocircular
+/// (sleeve_search.hpp); so the way along edges from p to ground outside the pit is at most k + 1 long. Spares
+/// a large lake a search from every vertex of it.
+std::vector<VertexId> near_shore(const Surface& surface, std::span<const VertexId> pit, unsigned k) {
+  constexpr std::size_t kSmall = 256;
+  if (pit.size() <= kSmall) return {pit.begin(), pit.end()};
+  const auto place = [&](VertexId v) {
+    return static_cast<std::size_t>(std::lower_bound(pit.begin(), pit.end(), v) - pit.begin());
+  };
+  const std::uint32_t number = surface.pit_of(pit[0]);
+  std::vector<std::uint8_t> is_near(pit.size(), 0);
+  std::vector<VertexId> reached, front;
+  for (const VertexId v : pit) {
+    const auto neighbors = surface.graph().neighbors(v);
+    const bool on_shore = std::any_of(neighbors.begin(), neighbors.end(),
+                                      [&](VertexId w) { return surface.pit_of(w) != number; });
+    if (!on_shore && !at_cocircular_face(surface, v)) continue;
+    is_near[place(v)] = 1;
+    reached.push_back(v);
+    if (on_shore) front.push_back(v);
+  }
+  for (unsigned distance = 1; distance < k + 1 && !front.empty(); ++distance) {
+    std::vector<VertexId> next;
+    for (const VertexId v : front) {
+      for (const VertexId w : surface.graph().neighbors(v)) {
+        if (surface.pit_of(w) != number || is_near[place(w)] == 2) continue;
+        if (is_near[place(w)] == 0) reached.push_back(w);
+        is_near[place(w)] = 2;  // its turn in the flood has come
+        next.push_back(w);
+      }
+    }
+    front = std::move(next);
+  }
+  return reached;
+}
+
 }  // namespace
 
 std::vector<Exit> find_exits(const Surface& surface, unsigned k, unsigned threads,
@@ -69,7 +121,7 @@ std::vector<Exit> find_exits(const Surface& surface, unsigned k, unsigned thread
       SleeveSearch search(surface.graph(), counter);
       for (std::size_t i = begin; i < end; ++i) {
         const auto pit = static_cast<std::uint32_t>(i);
-        for (const VertexId p : pits[pit]) {
+        for (const VertexId p : near_shore(surface, pits[pit], k)) {
           const double level = surface.z(p);
           unsigned limit = k;
           search.run(

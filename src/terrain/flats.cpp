@@ -34,6 +34,7 @@ bool FlatSearch::flood(const Triangulation& t, VertexId v) {
       flat_.push_back(w);
     });
   }
+  visits_ += flat_.size();
   if (drains) {
     for (const VertexId w : flat_) stamp_[w.index()] = epoch_ + 1;
   }

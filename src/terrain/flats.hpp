@@ -23,6 +23,11 @@ class FlatSearch {
   /// vertices and neighbours, and every part into which another one falls has one of them.
   std::uint32_t pits_touching(const Triangulation& t, std::span<const VertexId> vertices);
 
+  /// Whether so many vertices have been flooded that whoever searches on should stop: a hundred a site and
+  /// some more. Real terrain needs a few a site; with level ground almost everywhere a search could go round
+  /// in a huge lake for hours.
+  bool exhausted() const noexcept { return visits_ > 2'000'000 + 20 * std::uint64_t{stamp_.size()}; }
+
   /// The vertices of the pit that `on_pit` has found, in no particular order.
   std::span<const VertexId> flat() const noexcept { return flat_; }
 
@@ -34,6 +39,7 @@ class FlatSearch {
   std::vector<std::uint32_t> stamp_;  // epoch: seen; epoch + 1: seen, and it drains
   std::vector<VertexId> flat_;
   std::uint32_t epoch_ = 0;
+  std::uint64_t visits_ = 0;
 };
 
 }  // namespace thalweg::detail

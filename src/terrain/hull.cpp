@@ -32,6 +32,9 @@ class Inserter {
     return insertion_.plan(outcome_.triangulation, surface_.sites(), exit.from, exit.to);
   }
 
+  /// Whether to leave it at what has been inserted: see FlatSearch.
+  bool exhausted() const noexcept { return watch_.stopped() || flats_.exhausted(); }
+
   std::span<const FaceId> faces() const noexcept { return insertion_.faces(); }
 
   bool new_triangles_within(unsigned k) {
@@ -80,7 +83,7 @@ Outcome insert_hulls(const Surface& surface, std::span<const Exit> exits, unsign
   std::vector<std::uint8_t> locked(outcome.triangulation.face_count(), 0);
   const auto is_locked = [&](FaceId f) { return locked[f.index()] != 0; };
   for (const Exit& exit : exits) {
-    if (watch.stopped()) break;
+    if (inserter.exhausted()) break;
     THALWEG_ASSERT(exit.order <= k);
     if (pits_at != nullptr) pits_at->resize(std::max<std::size_t>(pits_at->size(), exit.order), outcome.pits);
     if (!inserter.plan(exit)) continue;
@@ -101,7 +104,7 @@ void insert_overlapping(const Surface& surface, std::span<const Exit> exits, uns
   for (bool gained = true; gained;) {
     gained = false;
     for (const Exit& exit : exits) {
-      if (watch.stopped()) return;
+      if (inserter.exhausted()) return;
       if (inserter.plan(exit) && inserter.new_triangles_within(k) && inserter.insert_if_it_pays(exit))
         gained = true;
     }

@@ -7,8 +7,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "oracle/terrain.hpp"
@@ -17,6 +19,7 @@
 #include "support/surface.hpp"
 #include "terrain/hull.hpp"
 #include "terrain/reasons.hpp"
+#include "thalweg/useful_order.hpp"
 
 namespace {
 
@@ -192,6 +195,47 @@ RC_GTEST_PROP(ExplainPitsLaws, NeededOrdersAreTheLeast, ()) {
     RC_ASSERT(pit.order_needed == (least && *least <= explained.order_searched ? least : std::nullopt));
     RC_ASSERT((pit.reason == PitReason::unremovable) == (!least || *least > k));
     RC_ASSERT(pit.reason != PitReason::kept);
+  }
+}
+
+/// Lakes of more vertices than are all searched: a plain scan of all useful pairs finds the same exits.
+/// Random places, and a lattice, where every vertex is on a cocircular face.
+TEST(FindExits, SkipNothingInLargeLakes) {
+  for (const bool lattice : {false, true}) {
+    std::uint64_t state = 7;
+    std::vector<Point3> points;
+    for (int i = 0; i < 900; ++i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const auto x = lattice ? i % 30 : static_cast<int>((state >> 33) % 100000);
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const auto y = lattice ? i / 30 : static_cast<int>((state >> 33) % 100000);
+      const double size = lattice ? 30 : 100000;
+      // Two lakes behind a wall, one lower than the other.
+      const double wall = lattice ? 0.01 : 0.045;
+      points.push_back({double(x), double(y),
+                        x > (0.5 + wall) * size   ? 0.0
+                        : x < (0.5 - wall) * size ? 1.0
+                                                  : 2.0});
+    }
+    const Surface surface = surface_of(points);
+    for (const unsigned k : {0u, 2u, 12u}) {
+      std::vector<std::array<std::uint32_t, 3>> expected, found;
+      for (const thalweg::UsefulPair& pair : thalweg::useful_pairs(surface.graph(), k)) {
+        for (const auto& [p, q] : {std::pair(pair.u, pair.v), std::pair(pair.v, pair.u)}) {
+          const std::uint32_t pit = surface.pit_of(p);
+          if (pit == Surface::kNoPit || surface.z(q) > surface.z(p)) continue;
+          if (surface.z(q) == surface.z(p) && surface.pit_of(q) == pit) continue;
+          expected.push_back({p.index(), q.index(), pair.order});
+        }
+      }
+      for (const auto& exit : find_exits(surface, k, 1, nullptr)) {
+        found.push_back({exit.from.index(), exit.to.index(), exit.order});
+      }
+      std::sort(expected.begin(), expected.end());
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, expected) << (lattice ? "lattice" : "random") << ", order " << k;
+      EXPECT_TRUE(!lattice || k < 12 || !found.empty());
+    }
   }
 }
 
