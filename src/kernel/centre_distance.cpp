@@ -13,22 +13,6 @@ namespace thalweg::detail {
 
 namespace {
 
-struct WordVector {
-  std::int64_t x, y;
-};
-
-Int128 product(std::int64_t a, std::int64_t b) noexcept {
-  return static_cast<Int128>(a) * b;
-}
-
-Int128 cross(WordVector u, WordVector v) noexcept {
-  return product(u.x, v.y) - product(u.y, v.x);
-}
-
-Uint128 squared_length(WordVector v) noexcept {
-  return static_cast<Uint128>(product(v.x, v.x)) + static_cast<Uint128>(product(v.y, v.y));
-}
-
 // Coordinates below 2^61 differ by less than 2^62; squared lengths and cross products of differences are then
 // below 2^125, and four products of one with the other below 2^252.
 static_assert(2 * (WordScale::kBits + 1) + 1 <= 126 && 2 * (2 * (WordScale::kBits + 1) + 1) + 2 <= 254);

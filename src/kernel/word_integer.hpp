@@ -38,6 +38,24 @@ struct WordSum {
   }
 };
 
+/// A difference of two places, in words. The products of two stay far inside 128 bits for coordinates of
+/// WordScale::kBits.
+struct WordVector {
+  std::int64_t x, y;
+};
+
+inline Int128 product(std::int64_t a, std::int64_t b) noexcept {
+  return static_cast<Int128>(a) * b;
+}
+
+inline Int128 cross(WordVector u, WordVector v) noexcept {
+  return product(u.x, v.y) - product(u.y, v.x);
+}
+
+inline Uint128 squared_length(WordVector v) noexcept {
+  return static_cast<Uint128>(product(v.x, v.x)) + static_cast<Uint128>(product(v.y, v.y));
+}
+
 /// Multiplies doubles by one power of two and turns them into integers, noting whether all of them were.
 class WordScale {
  public:
