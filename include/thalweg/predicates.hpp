@@ -1,9 +1,10 @@
 /// Exact geometric predicates: the only places where coordinates decide anything.
 ///
 /// All are exact for every finite double, denormals and 1e308 included, on every IEEE 754 machine and under
-/// any compiler flags of the caller; NaN and infinities are the caller's bug. Source: J. R. Shewchuk,
-/// Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete &
-/// Computational Geometry 18, 1997. The range of exponents is extended, see src/kernel/.
+/// any compiler flags of the caller; NaN and infinities are the caller's bug.
+/// A filter in doubles decides nearly always; what it leaves open, integers decide, not expansions. Source of
+/// the stages: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
+/// predicates, Discrete & Computational Geometry 18, 1997; departures: src/kernel/predicate_stages.hpp.
 #pragma once
 
 #include "thalweg/point.hpp"

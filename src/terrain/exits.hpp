@@ -21,8 +21,8 @@ struct Exit {
 /// All exits of the Delaunay pits of useful order at most k, by (order, elevation order of from, of to).
 /// Since the order of a pair depends on the sites alone, the exits at a smaller k are a prefix. Ties are
 /// broken by elevation order, which is an order of coordinates (z, x, y), so that in general position the
-/// result does not even depend on how the axes lie. Complexity: O(pit vertices) walks, in parallel. Empties
-/// and stops early once *cancel is true.
+/// result does not even depend on how the axes lie. Complexity: O(pit vertices) walks, in parallel. Stops
+/// early once *cancel is true; what it returns is then of no meaning.
 std::vector<Exit> find_exits(const Surface& surface, unsigned k, unsigned threads,
                              const std::atomic<bool>* cancel);
 
