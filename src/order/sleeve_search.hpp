@@ -66,59 +66,113 @@ class SleeveSearch {
   }
 
  private:
-  /// A cone about to cross `edge`, which runs from its right to its left side with p's side on its left.
+  /// A ray out of p, by the site it runs through and the way to it.
+  struct Ray {
+    VertexId site;
+    double x, y;
+  };
+
+  /// An open cone about to cross `edge`, which runs from its right to its left side with p's side on its
+  /// left.
   struct Cone {
     HalfedgeId edge;
-    VertexId ray_right, ray_left;
-    VertexId passed;  // the site that joins L or R on the way in; invalid for the first cone
-    bool passed_left;
-    bool cocircular;            // all sites so far lie on the empty circle of the first triangle
-    std::uint32_t left, right;  // sizes of L and R before `passed`
+    Ray right, left;
+    bool cocircular;  // all sites so far lie on the empty circle of the first triangle
+  };
+
+  /// A cone that is left for later, with the site that joins L or R on the way into it.
+  struct Branch {
+    Cone cone;
+    VertexId passed;
+    std::uint32_t left, right;  // sizes of L and R before `passed` joins R
   };
 
   template <class Wanted, class Found>
   bool run_cone(VertexId p, HalfedgeId edge, unsigned& k, Wanted&& wanted, Found&& found) {
     const Triangulation& t = graph_->delaunay();
     const VertexId a = t.origin(edge), b = t.dest(edge);
-    const Point2 at_p = graph_->point(p), at_a = graph_->point(a), at_b = graph_->point(b);
+    at_p_ = graph_->point(p);
     left_.assign(1, b);
     right_.assign(1, a);
-    stack_.clear();
-    stack_.push_back({edge, a, b, VertexId(), false, true, 1, 1});
-    while (!stack_.empty()) {
-      const Cone cone = stack_.back();
-      stack_.pop_back();
-      left_.resize(cone.left);
-      right_.resize(cone.right);
-      if (cone.passed.valid()) add_distinct(cone.passed_left ? left_ : right_, cone.passed);
-      if (!cone.cocircular && std::max(left_.size(), right_.size()) > k) continue;
-
-      const HalfedgeId across = t.twin(cone.edge);
-      if (!across.valid()) continue;
-      const VertexId c = t.apex(across);
-      const Point2 at_c = graph_->point(c);
-      const bool cocircular = cone.cocircular && incircle_sign(at_p, at_a, at_b, at_c) == 0;
-      if (!cocircular && std::max(left_.size(), right_.size()) > k) continue;
-
-      const auto nl = static_cast<std::uint32_t>(left_.size()),
-                 nr = static_cast<std::uint32_t>(right_.size());
-      const HalfedgeId right_edge = Triangulation::next(across), left_edge = Triangulation::prev(across);
-      const bool right_of_left = orient2d_sign(at_p, graph_->point(cone.ray_left), at_c) < 0;
-      const bool left_of_right = orient2d_sign(at_p, graph_->point(cone.ray_right), at_c) > 0;
-      if (right_of_left && left_of_right) {
-        if (wanted(c)) {
-          const unsigned order = cocircular ? 0 : order_with(p, c, k);
+    branches_.clear();
+    Cone cone{edge, ray_to(a), ray_to(b), true};
+    for (;;) {
+      if (advance(cone, k)) {
+        const VertexId c = apex_.site;
+        const bool is_inside = right_of_left_ && left_of_right_;
+        if (is_inside && wanted(c)) {
+          const unsigned order = cone.cocircular ? 0 : order_with(p, c, k);
           if (order <= k && found(c, order)) return true;
         }
-        stack_.push_back({right_edge, cone.ray_right, c, c, true, cocircular, nl, nr});
-        stack_.push_back({left_edge, c, cone.ray_left, c, false, cocircular, nl, nr});
-      } else if (left_of_right) {
-        stack_.push_back({right_edge, cone.ray_right, cone.ray_left, c, true, cocircular, nl, nr});
-      } else {
-        stack_.push_back({left_edge, cone.ray_right, cone.ray_left, c, false, cocircular, nl, nr});
+        const HalfedgeId across = cone.edge;
+        // Past c on its right, through the edge that c ends on the left; or on its left.
+        const bool goes_right = left_of_right_ && admits(left_, c, cone.cocircular, k);
+        const bool goes_left = (is_inside || !left_of_right_) && admits(right_, c, cone.cocircular, k);
+        if (goes_right) {
+          if (goes_left) {
+            branches_.push_back({{Triangulation::prev(across), apex_, cone.left, cone.cocircular},
+                                 c,
+                                 static_cast<std::uint32_t>(left_.size()),
+                                 static_cast<std::uint32_t>(right_.size())});
+          }
+          cone.edge = Triangulation::next(across);
+          if (is_inside) cone.left = apex_;
+          add_distinct(left_, c);
+          continue;
+        }
+        if (goes_left) {
+          cone.edge = Triangulation::prev(across);
+          if (is_inside) cone.right = apex_;
+          add_distinct(right_, c);
+          continue;
+        }
       }
+      if (branches_.empty()) return false;
+      const Branch& branch = branches_.back();
+      cone = branch.cone;
+      left_.resize(branch.left);
+      right_.resize(branch.right);
+      add_distinct(right_, branch.passed);
+      branches_.pop_back();
     }
-    return false;
+  }
+
+  /// Steps over the edge of the cone, to the half-edge behind it. Sets the apex there, and on which side of
+  /// the two rays it lies; returns false if nothing is in reach there.
+  bool advance(Cone& cone, unsigned k) {
+    const Triangulation& t = graph_->delaunay();
+    const HalfedgeId across = t.twin(cone.edge);
+    if (!across.valid()) return false;
+    apex_ = ray_to(t.apex(across));
+    if (cone.cocircular) {
+      // A triangle p, a, b of an empty circle: all corners of it are as good as a and b.
+      cone.cocircular = incircle_sign(at_p_, graph_->point(right_[0]), graph_->point(left_[0]),
+                                      graph_->point(apex_.site)) == 0;
+      if (!cone.cocircular && std::max(left_.size(), right_.size()) > k) return false;
+    }
+    cone.edge = across;
+    right_of_left_ = turn(cone.left, apex_) < 0;
+    left_of_right_ = turn(cone.right, apex_) > 0;
+    return true;
+  }
+
+  Ray ray_to(VertexId v) const {
+    const Point2 at = graph_->point(v);
+    return {v, at.x - at_p_.x, at.y - at_p_.y};
+  }
+
+  /// The side of the ray `from` on which the site of `to` lies: orient2d_sign of p and the two sites.
+  int turn(const Ray& from, const Ray& to) const {
+    const double left = from.x * to.y, right = from.y * to.x;
+    const double bound = kOrient2dBound * (std::fabs(left) + std::fabs(right)) + kUnderflowMargin;
+    if (std::fabs(left - right) > bound) return left > right ? 1 : -1;
+    return orient2d_unfiltered(graph_->point(from.site), graph_->point(to.site), at_p_);
+  }
+
+  /// Whether a sleeve that passes c on this side may lead to a pair of order <= k.
+  static bool admits(const std::vector<VertexId>& side, VertexId c, bool cocircular, unsigned k) {
+    return cocircular || side.size() < k ||
+           (side.size() == k && std::find(side.begin(), side.end(), c) != side.end());
   }
 
   /// A sleeve can pass the same site twice on one side; only distinct ones count.
@@ -153,8 +207,11 @@ class SleeveSearch {
  private:
   const DelaunayGraph* graph_;
   CircleCounter* counter_;
+  Point2 at_p_{};
+  Ray apex_{};
+  bool right_of_left_ = false, left_of_right_ = false;
   std::vector<VertexId> left_, right_;
-  std::vector<Cone> stack_;
+  std::vector<Branch> branches_;
 };
 
 }  // namespace thalweg::detail

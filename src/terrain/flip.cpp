@@ -81,13 +81,9 @@ class PitLedger {
 class FlipRun {
  public:
   FlipRun(const Surface& surface, unsigned k, const Watch& watch)
-      : surface_(surface),
-        watch_(watch),
-        k_(k),
-        counter_(surface.graph()),
-        ledger_(surface),
-        buckets_(k + std::size_t{1}) {
+      : surface_(surface), watch_(watch), k_(k), ledger_(surface), buckets_(k + std::size_t{1}) {
     outcome_.triangulation = surface.delaunay();
+    for (unsigned i = 0; i < watch.threads; ++i) counters_.emplace_back(surface.graph());
   }
 
   Outcome run(std::vector<std::uint32_t>* pits_at) {
@@ -99,7 +95,7 @@ class FlipRun {
       watch_.report("flipping", static_cast<double>(level) / k_);
     }
     outcome_.pits = ledger_.left();
-    outcome_.circle_counts += counter_.calls();
+    for (const CircleCounter& counter : counters_) outcome_.circle_counts += counter.calls();
     return std::move(outcome_);
   }
 
@@ -121,29 +117,34 @@ class FlipRun {
   }
 
   void collect_all() {
-    using Found = std::pair<unsigned, Candidate>;
-    constexpr std::size_t kChunk = 1 << 14;
-    const std::size_t count = outcome_.triangulation.halfedge_count();
-    std::vector<std::vector<Found>> lists((count + kChunk - 1) / kChunk);
-    std::atomic<std::uint64_t> counts{0};
-    parallel_chunks(count, kChunk, watch_.threads, [&] {
-      return [&, counter = CircleCounter(surface_.graph())](std::size_t begin, std::size_t end) mutable {
+    std::vector<HalfedgeId> all;
+    for (std::uint32_t i = 0; i < outcome_.triangulation.halfedge_count(); ++i) {
+      if (HalfedgeId(i) < outcome_.triangulation.twin(HalfedgeId(i))) all.emplace_back(i);  // once an edge
+    }
+    collect(all, 0);
+  }
+
+  /// Puts the candidates among these edges into their buckets, at `level` at least: what a lower round would
+  /// have done, had it been possible then, is done in this one. Half-edges in ascending order are near each
+  /// other in the plane, so that one circle is searched where the last one has just been; and they are shared
+  /// among threads. The order within a bucket is of no meaning.
+  void collect(std::span<const HalfedgeId> edges, unsigned level) {
+    constexpr std::size_t kChunk = 1 << 12;
+    std::vector<std::vector<std::pair<unsigned, Candidate>>> lists((edges.size() + kChunk - 1) / kChunk);
+    std::atomic<std::size_t> worker{0};
+    parallel_chunks(edges.size(), kChunk, watch_.threads, [&] {
+      return [&, &counter = counters_[worker++]](std::size_t begin, std::size_t end) {
         if (watch_.stopped()) return;
-        const std::uint64_t calls = counter.calls();
         for (std::size_t i = begin; i < end; ++i) {
-          const HalfedgeId h(static_cast<std::uint32_t>(i));
-          if (outcome_.triangulation.twin(h) < h) continue;  // once an edge
           Candidate candidate;
-          const unsigned order = assess(counter, h, candidate);
-          if (order <= k_) lists[begin / kChunk].push_back({order, candidate});
+          const unsigned order = assess(counter, edges[i], candidate);
+          if (order <= k_) lists[begin / kChunk].emplace_back(order, candidate);
         }
-        counts.fetch_add(counter.calls() - calls, std::memory_order_relaxed);
       };
     });
     for (const auto& list : lists) {
-      for (const auto& [order, candidate] : list) buckets_[order].push_back(candidate);
+      for (const auto& [order, candidate] : list) buckets_[std::max(order, level)].push_back(candidate);
     }
-    outcome_.circle_counts += counts.load();
   }
 
   /// Takes all candidates that wait at this level, in the order of their new edges' ranks.
@@ -160,6 +161,21 @@ class FlipRun {
     for (const auto& [key, candidate] : wave_) {
       if (is_current(candidate)) flip(candidate, level);
     }
+    collect_sides(level);
+  }
+
+  /// What the flips of a wave have made possible. They are looked at when the wave is over: what a later flip
+  /// of the wave has changed again would only have been in vain, and no flip of a wave depends on what an
+  /// earlier one of it made possible.
+  void collect_sides(unsigned level) {
+    const Triangulation& t = outcome_.triangulation;
+    for (HalfedgeId& side : sides_) {
+      if (!t.on_hull(side)) side = std::min(side, t.twin(side));
+    }
+    std::sort(sides_.begin(), sides_.end());
+    sides_.erase(std::unique(sides_.begin(), sides_.end()), sides_.end());
+    collect(sides_, level);
+    sides_.clear();
   }
 
   bool is_current(const Candidate& candidate) const {
@@ -179,22 +195,18 @@ class FlipRun {
       outcome_.trail.push_back(
           {TrailStep::Kind::flip, level, candidate.c, candidate.d, candidate.a, candidate.b, pit});
     }
-    for (const HalfedgeId side : {Triangulation::next(h), Triangulation::prev(h), Triangulation::next(twin),
-                                  Triangulation::prev(twin)}) {
-      Candidate next;
-      const unsigned order = assess(counter_, side, next);
-      // What a lower round would have done, had it been possible then, is done in this one.
-      if (order <= k_) buckets_[std::max(order, level)].push_back(next);
-    }
+    sides_.insert(sides_.end(), {Triangulation::next(h), Triangulation::prev(h), Triangulation::next(twin),
+                                 Triangulation::prev(twin)});
   }
 
   const Surface& surface_;
   const Watch& watch_;
   const unsigned k_;
-  CircleCounter counter_;
+  std::vector<CircleCounter> counters_;  // one a thread
   PitLedger ledger_;
   std::vector<std::vector<Candidate>> buckets_;
   std::vector<std::pair<std::uint64_t, Candidate>> wave_;
+  std::vector<HalfedgeId> sides_;  // of the quadrilaterals flipped in this wave
   Outcome outcome_;
 };
 
