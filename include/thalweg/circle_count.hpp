@@ -53,9 +53,11 @@ class CircleCounter {
 
   /// The number of sites strictly inside the circle through u, v, w, or limit + 1 if there are more than
   /// `limit`. Degenerate: sites on the circle do not count. Requires: u, v, w counter-clockwise. Exact.
-  /// Complexity: about 6 (limit + 1) incircle tests, whatever the number of sites. Source: the sites in a
-  /// disk induce a connected part of the Delaunay graph; proof in src/order/circle_count.cpp.
-  unsigned count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit);
+  /// Complexity: about 6 (limit + 1) incircle tests, whatever the number of sites; fewer by some for each
+  /// site in `known`: any that the caller knows to be strictly inside, repeated or not. Source: the sites in
+  /// a disk induce a connected part of the Delaunay graph; proof in src/order/circle_count.cpp.
+  unsigned count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit,
+                           std::span<const VertexId> known = {});
 
   /// The sites that the last `count_in_circle` found inside: all of them, if they were not more than its
   /// limit. Requires: it has been called.
@@ -68,12 +70,13 @@ class CircleCounter {
   std::uint64_t calls() const noexcept { return calls_; }
 
  private:
-  unsigned crawl(VertexId u, VertexId v, VertexId w, unsigned limit);
+  unsigned crawl(VertexId u, VertexId v, VertexId w, unsigned limit, std::span<const VertexId> known);
 
   const DelaunayGraph* graph_;
   std::optional<VoronoiCounter> located_;
   std::vector<std::uint32_t> stamp_;
   std::vector<VertexId> queue_;  // a corner, then the sites found inside
+  std::vector<VertexId> fresh_;  // neighbours that were not met before
   std::uint32_t epoch_ = 0;
   std::uint64_t calls_ = 0;
 };

@@ -187,8 +187,8 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   });
   radix_sort(keyed, threads);
 
-  order.rows.resize(count);
-  order.keys.resize(count);
+  order.rows = large_vector<std::uint32_t>(count);
+  order.keys = large_vector<std::uint32_t>(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     order.rows[i] = row_of(keyed[i]);
     order.keys[i] = key_of(keyed[i]);

@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "kernel/assert.hpp"
+#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 #include "order/circle_plane.hpp"
 
@@ -24,32 +25,36 @@ DelaunayGraph::DelaunayGraph(std::span<const Point2> sites, const Triangulation&
     : sites_(sites), delaunay_(&delaunay) {
   THALWEG_ASSERT(sites.size() == delaunay.vertex_count());
   const std::uint32_t count = delaunay.vertex_count();
-  starts_.resize(count + std::size_t{1}, 0);
+  starts_ = detail::large_vector<std::uint32_t>(count + std::size_t{1});
   // Every edge once from each of its half-edges, and a hull edge once more from its only one.
   neighbors_.reserve(delaunay.halfedge_count() + std::size_t{count} / 16);
+  detail::prefer_huge_pages(neighbors_.data(), neighbors_.capacity() * sizeof(VertexId));
   for (std::uint32_t i = 0; i < count; ++i) {
     delaunay.for_each_neighbor(VertexId(i), [&](VertexId v) { neighbors_.push_back(v); });
     starts_[i + 1] = static_cast<std::uint32_t>(neighbors_.size());
   }
 }
 
-CircleCounter::CircleCounter(const DelaunayGraph& graph) : graph_(&graph), stamp_(graph.sites().size(), 0) {
+CircleCounter::CircleCounter(const DelaunayGraph& graph)
+    : graph_(&graph), stamp_(detail::large_vector<std::uint32_t>(graph.sites().size())) {
   if (graph.voronoi() != nullptr) located_.emplace(*graph.voronoi());
 }
 
-unsigned CircleCounter::count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit) {
+unsigned CircleCounter::count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit,
+                                        std::span<const VertexId> known) {
   ++calls_;
   const OrderKVoronoi* diagram = graph_->voronoi();
   const bool is_deep_enough =
       diagram != nullptr && (limit < diagram->order() || diagram->order() == diagram->site_count());
-  if (!is_deep_enough) return crawl(u, v, w, limit);
+  if (!is_deep_enough) return crawl(u, v, w, limit, known);
   const unsigned count = located_->count_in_circle(u, v, w, limit);
   queue_.assign(1, u);
   queue_.insert(queue_.end(), located_->inside().begin(), located_->inside().end());
   return count;
 }
 
-unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit) {
+unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit,
+                              std::span<const VertexId> known) {
   if (++epoch_ == 0) {
     std::fill(stamp_.begin(), stamp_.end(), 0);
     epoch_ = 1;
@@ -58,19 +63,35 @@ unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit
   THALWEG_ASSERT(detail::orient2d_sign(graph_->point(u), graph_->point(v), graph_->point(w)) > 0);
   stamp_[u.index()] = stamp_[v.index()] = stamp_[w.index()] = epoch_;
 
-  unsigned inside = 0;
-  queue_.clear();
-  queue_.push_back(u);
-  for (std::size_t head = 0; head < queue_.size(); ++head) {
-    for (const VertexId site : graph_->neighbors(queue_[head])) {
-      if (stamp_[site.index()] == epoch_) continue;
-      stamp_[site.index()] = epoch_;
-      if (!circle.holds(graph_->point(site))) continue;
-      if (++inside > limit) return inside;
-      queue_.push_back(site);
-    }
+  queue_.assign(1, u);
+  for (const VertexId site : known) {
+    if (stamp_[site.index()] == epoch_) continue;
+    THALWEG_ASSERT(circle.holds(graph_->point(site)));
+    stamp_[site.index()] = epoch_;
+    queue_.push_back(site);
   }
-  return inside;
+  // The sites inside are connected: a corner is only needed to find the first of them.
+  for (std::size_t head = queue_.size() == 1 ? 0 : 1; head < queue_.size() && queue_.size() - 1 <= limit;
+       ++head) {
+    // Which neighbours are new, and which of these are inside, is a toss of a coin: both are appended without
+    // a branch on it.
+    const auto neighbors = graph_->neighbors(queue_[head]);
+    fresh_.resize(std::max(fresh_.size(), neighbors.size()));
+    std::size_t fresh_count = 0;
+    for (const VertexId site : neighbors) {
+      fresh_[fresh_count] = site;
+      fresh_count += stamp_[site.index()] != epoch_ ? 1 : 0;
+      stamp_[site.index()] = epoch_;
+    }
+    std::size_t size = queue_.size();
+    queue_.resize(size + fresh_count);
+    for (std::size_t i = 0; i < fresh_count; ++i) {
+      queue_[size] = fresh_[i];
+      size += circle.holds(graph_->point(fresh_[i])) ? 1 : 0;
+    }
+    queue_.resize(size);
+  }
+  return static_cast<unsigned>(std::min<std::size_t>(queue_.size() - 1, limit + std::size_t{1}));
 }
 
 std::vector<std::uint32_t> face_orders(const DelaunayGraph& graph, const Triangulation& triangulation,

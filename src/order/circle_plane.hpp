@@ -32,7 +32,8 @@ class CirclePlane {
     const double d2 = x * x + y * y;
     const double det = (y * b_ - x * a_) - d2 * c_;
     const double size = std::fabs(y) * b_size_ + std::fabs(x) * a_size_ + d2 * c_size_;
-    if (std::fabs(det) > kBound * size + kUnderflow && in_range_ && d2 < kRange) return det > 0;
+    if (std::fabs(det) > kBound * size + kUnderflow && in_range_ && d2 < kRange) [[likely]]
+      return det > 0;
     return incircle_sign(u_, v_, w_, d) > 0;
   }
 

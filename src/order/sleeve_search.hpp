@@ -186,7 +186,7 @@ class SleeveSearch {
 
  public:
   /// The useful order of p, q, or k + 1 if more, from the sites of their sleeve left and right of p -> q.
-  /// Requires: both sides not empty.
+  /// Requires: both sides not empty; p, q and they are not all on one empty circle.
   static unsigned pair_order(const DelaunayGraph& graph, CircleCounter& counter, VertexId p, VertexId q,
                              const std::vector<VertexId>& left, const std::vector<VertexId>& right,
                              unsigned k) {
@@ -195,13 +195,13 @@ class SleeveSearch {
     for (std::size_t i = 1; i < left.size(); ++i) {
       if (incircle_sign(at_p, at_q, graph.point(s), graph.point(left[i])) > 0) s = left[i];
     }
-    const unsigned order_left = counter.count_in_circle(p, q, s, k);
+    const unsigned order_left = counter.count_in_circle(p, q, s, k, right);
     if (order_left > k) return k + 1;
     VertexId t = right[0];
     for (std::size_t i = 1; i < right.size(); ++i) {
       if (incircle_sign(at_q, at_p, graph.point(t), graph.point(right[i])) > 0) t = right[i];
     }
-    return std::max(order_left, counter.count_in_circle(q, p, t, k));
+    return std::max(order_left, counter.count_in_circle(q, p, t, k, left));
   }
 
  private:

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -124,7 +123,7 @@ class Chains {
                 return false;
               });
       std::sort(exits.begin(), exits.end(), [&](const Exit& a, const Exit& b) {
-        return std::tuple(a.order, surface_.rank(a.to)) < std::tuple(b.order, surface_.rank(b.to));
+        return a.order != b.order ? a.order < b.order : surface_.lower(a.to, b.to);
       });
     }
     return exits;

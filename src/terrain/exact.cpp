@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -114,8 +113,7 @@ class Search {
       }
     }
     std::sort(ways.begin(), ways.end(), [&](const RequiredEdge& a, const RequiredEdge& b) {
-      return std::tuple(surface_.rank(a.v), surface_.rank(a.u)) <
-             std::tuple(surface_.rank(b.v), surface_.rank(b.u));
+      return a.v != b.v ? surface_.lower(a.v, b.v) : surface_.lower(a.u, b.u);
     });
     return ways;
   }

@@ -2,7 +2,6 @@
 #include "terrain/exits.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "kernel/parallel.hpp"
 #include "kernel/predicates_inline.hpp"
@@ -27,8 +26,8 @@ constexpr std::uint64_t expected_steps(std::uint64_t k) {
 
 /// Whether a flat is all that lies at or below its height, so that nothing at all could drain it.
 bool is_bottom(const Surface& surface, std::span<const VertexId> flat) {
-  if (surface.rank(surface.lowest(flat)) != 0) return false;
   const double level = surface.z(flat[0]);
+  if (level != surface.lowest_level()) return false;
   const auto not_above =
       std::count_if(surface.z().begin(), surface.z().end(), [&](double z) { return z <= level; });
   return static_cast<std::size_t>(not_above) == flat.size();
@@ -140,8 +139,8 @@ std::vector<Exit> find_exits(const Surface& surface, unsigned k, unsigned thread
   std::vector<Exit> exits;
   for (const auto& list : lists) exits.insert(exits.end(), list.begin(), list.end());
   std::sort(exits.begin(), exits.end(), [&](const Exit& a, const Exit& b) {
-    return std::tuple(a.order, surface.rank(a.from), surface.rank(a.to)) <
-           std::tuple(b.order, surface.rank(b.from), surface.rank(b.to));
+    if (a.order != b.order) return a.order < b.order;
+    return a.from != b.from ? surface.lower(a.from, b.from) : surface.lower(a.to, b.to);
   });
   return exits;
 }

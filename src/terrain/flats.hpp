@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/huge_pages.hpp"
 #include "terrain/surface.hpp"
 
 namespace thalweg::detail {
@@ -12,7 +13,8 @@ namespace thalweg::detail {
 /// Floods flats of a changing triangulation of a surface. Holds scratch memory of 4 bytes a site.
 class FlatSearch {
  public:
-  explicit FlatSearch(const Surface& surface) : surface_(&surface), stamp_(surface.sites().size(), 0) {}
+  explicit FlatSearch(const Surface& surface)
+      : surface_(&surface), stamp_(large_vector<std::uint32_t>(surface.sites().size())) {}
 
   /// Whether v lies on a pit of t; if so, `flat()` is that pit. Complexity: O(size of the flat), less if it
   /// drains.

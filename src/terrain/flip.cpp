@@ -81,7 +81,12 @@ class PitLedger {
 class FlipRun {
  public:
   FlipRun(const Surface& surface, unsigned k, const Watch& watch)
-      : surface_(surface), watch_(watch), k_(k), ledger_(surface), buckets_(k + std::size_t{1}) {
+      : surface_(surface),
+        watch_(watch),
+        k_(k),
+        rank_(surface.ranks()),
+        ledger_(surface),
+        buckets_(k + std::size_t{1}) {
     outcome_.triangulation = surface.delaunay();
     for (unsigned i = 0; i < watch.threads; ++i) counters_.emplace_back(surface.graph());
   }
@@ -151,7 +156,7 @@ class FlipRun {
   void flip_wave(unsigned level) {
     wave_.clear();
     for (const Candidate& candidate : buckets_[level]) {
-      wave_.emplace_back((std::uint64_t{surface_.rank(candidate.c)} << 32) | surface_.rank(candidate.d),
+      wave_.emplace_back((std::uint64_t{rank_[candidate.c.index()]} << 32) | rank_[candidate.d.index()],
                          candidate);
     }
     buckets_[level].clear();
@@ -202,6 +207,7 @@ class FlipRun {
   const Surface& surface_;
   const Watch& watch_;
   const unsigned k_;
+  std::vector<std::uint32_t> rank_;
   std::vector<CircleCounter> counters_;  // one a thread
   PitLedger ledger_;
   std::vector<std::vector<Candidate>> buckets_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "kernel/huge_pages.hpp"
 #include "kernel/spatial_order.hpp"
 
 namespace thalweg::detail {
@@ -95,7 +96,7 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
 
   MergedSites sites;
   {
-    std::vector<Point2> xy(points.size());
+    std::vector<Point2> xy = large_vector<Point2>(points.size());
     std::transform(points.begin(), points.end(), xy.begin(), [](const Point3& p) {
       return Point2{p.x, p.y};
     });
@@ -103,7 +104,7 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
     const std::uint32_t count = order.site_count();
     if (order.distinct()) {
       sites.row = std::move(order.rows);
-      sites.z.resize(count);
+      sites.z = large_vector<double>(count);
       for (std::uint32_t s = 0; s < count; ++s) sites.z[s] = points[sites.row[s]].z;
     } else {
       sites.row.reserve(count);
@@ -119,7 +120,7 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
     }
     sites.keys = std::move(order.keys);
   }
-  sites.xy.resize(sites.row.size());
+  sites.xy = large_vector<Point2>(sites.row.size());
   std::transform(sites.row.begin(), sites.row.end(), sites.xy.begin(), [&](std::uint32_t row) {
     return Point2{points[row].x, points[row].y};
   });

@@ -2,40 +2,20 @@
 #include "terrain/surface.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
+#include "kernel/huge_pages.hpp"
+
 namespace thalweg::detail {
-namespace {
-
-std::vector<std::uint32_t> ranks_of(std::span<const Point2> sites, std::span<const double> z) {
-  struct Key {
-    double z;
-    std::uint32_t site;
-  };
-  std::vector<Key> keys(z.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) keys[i] = {z[i], i};
-  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-    if (a.z != b.z) return a.z < b.z;
-    const Point2 p = sites[a.site], q = sites[b.site];
-    return std::tie(p.x, p.y) < std::tie(q.x, q.y);
-  });
-  std::vector<std::uint32_t> ranks(keys.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) ranks[keys[i].site] = i;
-  return ranks;
-}
-
-}  // namespace
-
 Surface::Surface(std::vector<Point2> sites, std::vector<double> z, Triangulation delaunay)
     : sites_(std::move(sites)),
       z_(std::move(z)),
       delaunay_(std::move(delaunay)),
       graph_(sites_, delaunay_),
-      rank_(ranks_of(sites_, z_)),
       pits_(find_pits(delaunay_, z_)),
-      pit_of_(sites_.size(), kNoPit) {
+      pit_of_(large_vector<std::uint32_t>(sites_.size())),
+      lowest_level_(*std::min_element(z_.begin(), z_.end())) {
+  std::fill(pit_of_.begin(), pit_of_.end(), kNoPit);
   for (std::uint32_t i = 0; i < pits_.size(); ++i) {
     for (const VertexId v : pits_[i]) pit_of_[v.index()] = i;
   }
@@ -47,6 +27,20 @@ std::optional<Error> Surface::count_by_voronoi(unsigned k, unsigned threads) {
   voronoi_.emplace(*std::move(diagram));
   graph_.count_by(*voronoi_);
   return std::nullopt;
+}
+
+std::vector<std::uint32_t> Surface::ranks() const {
+  struct Key {
+    double z;
+    VertexId site;
+  };
+  std::vector<Key> keys(z_.size());
+  for (std::uint32_t i = 0; i < keys.size(); ++i) keys[i] = {z_[i], VertexId(i)};
+  std::sort(keys.begin(), keys.end(),
+            [&](const Key& a, const Key& b) { return a.z != b.z ? a.z < b.z : lower(a.site, b.site); });
+  std::vector<std::uint32_t> ranks(keys.size());
+  for (std::uint32_t i = 0; i < keys.size(); ++i) ranks[keys[i].site.index()] = i;
+  return ranks;
 }
 
 VertexId Surface::lowest(std::span<const VertexId> vertices) const noexcept {

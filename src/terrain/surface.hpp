@@ -34,10 +34,17 @@ class Surface {
   /// if anything. Requires: 1 <= k <= number of sites; no counter exists yet.
   std::optional<Error> count_by_voronoi(unsigned k, unsigned threads);
 
-  /// The place of v in elevation order (z, x, y), from 0: the paper's "height normalised to 1 .. n".
-  std::uint32_t rank(VertexId v) const noexcept { return rank_[v.index()]; }
-  /// Whether u comes before v in elevation order.
-  bool lower(VertexId u, VertexId v) const noexcept { return rank(u) < rank(v); }
+  /// Whether u comes before v in elevation order (z, x, y).
+  bool lower(VertexId u, VertexId v) const noexcept {
+    if (z(u) != z(v)) return z(u) < z(v);
+    const Point2 p = sites_[u.index()], q = sites_[v.index()];
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+  }
+  /// The place of each vertex in elevation order, from 0: the paper's "height normalised to 1 .. n".
+  /// Complexity: O(n log n).
+  std::vector<std::uint32_t> ranks() const;
+  /// The least elevation of all.
+  double lowest_level() const noexcept { return lowest_level_; }
 
   /// The pits of the Delaunay triangulation, and the pit that each vertex lies on (kNoPit if none).
   const Pits& pits() const noexcept { return pits_; }
@@ -53,9 +60,9 @@ class Surface {
   Triangulation delaunay_;
   DelaunayGraph graph_;
   std::optional<OrderKVoronoi> voronoi_;
-  std::vector<std::uint32_t> rank_;
   Pits pits_;
   std::vector<std::uint32_t> pit_of_;
+  double lowest_level_;
 };
 
 }  // namespace thalweg::detail

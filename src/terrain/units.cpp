@@ -2,7 +2,6 @@
 #include "terrain/units.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "kernel/assert.hpp"
 #include "kernel/parallel.hpp"
@@ -168,12 +167,12 @@ class UnitFinder {
   Units collect() const {
     Units units;
     units.count = static_cast<std::uint32_t>(groups_.size());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_rank;
-    for (std::uint32_t i = 0; i < units.count; ++i)
-      by_rank.emplace_back(surface_.rank(surface_.lowest(groups_[i])), i);
-    std::sort(by_rank.begin(), by_rank.end());
+    std::vector<std::pair<VertexId, std::uint32_t>> by_lowest;
+    for (std::uint32_t i = 0; i < units.count; ++i) by_lowest.emplace_back(surface_.lowest(groups_[i]), i);
+    std::sort(by_lowest.begin(), by_lowest.end(),
+              [&](const auto& a, const auto& b) { return surface_.lower(a.first, b.first); });
     std::vector<std::uint32_t> number(units.count);
-    for (std::uint32_t i = 0; i < units.count; ++i) number[by_rank[i].second] = i;
+    for (std::uint32_t i = 0; i < units.count; ++i) number[by_lowest[i].second] = i;
 
     for (const Exit& exit : exits_) {
       const std::uint32_t group = group_[exit.from.index()], target = group_[exit.to.index()];
@@ -181,14 +180,17 @@ class UnitFinder {
       const bool to_unit = surface_.z(exit.to) == surface_.z(exit.from) && target < kDrains;
       units.exits.push_back({exit, number[group], to_unit ? number[target] : Units::kGround});
     }
-    const auto key = [&](const UnitExit& e) {
-      return std::tuple(e.unit, e.exit.order, surface_.rank(e.exit.from), surface_.rank(e.exit.to));
-    };
-    std::sort(units.exits.begin(), units.exits.end(),
-              [&](const UnitExit& a, const UnitExit& b) { return key(a) < key(b); });
+    std::sort(units.exits.begin(), units.exits.end(), [&](const UnitExit& a, const UnitExit& b) {
+      if (a.unit != b.unit) return a.unit < b.unit;
+      if (a.exit.order != b.exit.order) return a.exit.order < b.exit.order;
+      return a.exit.from != b.exit.from ? surface_.lower(a.exit.from, b.exit.from)
+                                        : surface_.lower(a.exit.to, b.exit.to);
+    });
     // A vertex whose unit lost vertices was searched again, and found its old exits again.
     units.exits.erase(std::unique(units.exits.begin(), units.exits.end(),
-                                  [&](const UnitExit& a, const UnitExit& b) { return key(a) == key(b); }),
+                                  [&](const UnitExit& a, const UnitExit& b) {
+                                    return a.exit.from == b.exit.from && a.exit.to == b.exit.to;
+                                  }),
                       units.exits.end());
     units.starts.assign(units.count + std::size_t{1}, 0);
     for (const UnitExit& e : units.exits) ++units.starts[e.unit + std::size_t{1}];

@@ -134,7 +134,8 @@ TEST(Surface, RanksByElevationThenPlace) {
   const Surface surface =
       support::surface_of(std::vector<Point3>{{3, 0, 1}, {0, 5, 1}, {0, 2, 1}, {9, 9, 0}, {1, 1, -0.0}});
   const std::uint32_t expected[] = {4, 3, 2, 1, 0};
-  for (std::uint32_t v = 0; v < 5; ++v) EXPECT_EQ(surface.rank(vertex(v)), expected[v]);
+  const std::vector<std::uint32_t> ranks = surface.ranks();
+  for (std::uint32_t v = 0; v < 5; ++v) EXPECT_EQ(ranks[v], expected[v]);
   EXPECT_TRUE(surface.lower(vertex(4), vertex(3)));
   EXPECT_FALSE(surface.lower(vertex(3), vertex(3)));
   EXPECT_EQ(surface.lowest(std::vector{vertex(0), vertex(1), vertex(2)}), vertex(2));
