@@ -96,7 +96,9 @@ std::uint64_t write_ply(const std::string& path, const Mesh& mesh) {
                     [&](io::OutputFile& file) { return io::write_mesh(file, mesh.view(), io::Format::ply); });
 }
 
+/// Counter: bytes of the file.
 void bytes_done(benchmark::State& state, std::uint64_t size) {
+  state.counters["bytes"] = static_cast<double>(size);
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(size));
 }
 

@@ -32,14 +32,14 @@ inline std::string name_of(const std::string& job, const SetOfSites& set, const 
 /// its error and not the end of the run. Times are in milliseconds unless it is told otherwise.
 template <class Function>
 benchmark::internal::Benchmark* add(const std::string& name, Function function) {
-  return benchmark::RegisterBenchmark(name.c_str(),
-                                      [function = std::move(function)](benchmark::State& state) {
-                                        try {
-                                          function(state);
-                                        } catch (const std::exception& error) {
-                                          state.SkipWithError(error.what());
-                                        }
-                                      });
+  const auto guarded = [function = std::move(function)](benchmark::State& state) {
+    try {
+      function(state);
+    } catch (const std::exception& error) {
+      state.SkipWithError(error.what());
+    }
+  };
+  return benchmark::RegisterBenchmark(name.c_str(), guarded)->Unit(benchmark::kMillisecond);
 }
 
 /// Runs what was added and the command line asks for. Where CGAL was run on a set too, prints for every other
