@@ -2,13 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 
 #include "thalweg/point.hpp"
 
 namespace peers {
 
-/// Triangulates with exact predicates, spatial sort included.
-std::size_t cgal_face_count(std::span<const thalweg::Point2> points);
+/// Points as CGAL holds them, so that conversion is not part of what is measured.
+class CgalPoints {
+ public:
+  explicit CgalPoints(std::span<const thalweg::Point2> points);
+
+  /// Triangulates with exact predicates, spatial sort included.
+  std::size_t face_count() const;
+
+ private:
+  struct Points;
+  std::shared_ptr<const Points> points_;
+};
 
 }  // namespace peers

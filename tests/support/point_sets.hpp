@@ -9,32 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "support/random.hpp"
 #include "thalweg/point.hpp"
 
 namespace support {
 
 using thalweg::Point2;
-
-/// SplitMix64: the same sets from every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(bits() % n); }
-  double whole(int low, int high) {
-    return low + static_cast<double>(below(static_cast<std::uint32_t>(high - low + 1)));
-  }
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-
- private:
-  std::uint64_t state_;
-};
 
 inline bool lexicographic(Point2 a, Point2 b) {
   return a.x < b.x || (a.x == b.x && a.y < b.y);

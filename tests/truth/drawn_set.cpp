@@ -402,7 +402,7 @@ const char* set_kind_name(SetKind kind) noexcept {
 }
 
 DrawnSet draw_set(std::uint64_t seed, std::uint64_t index) {
-  Random random(Random(seed).bits() + index);
+  Random random(Random(seed).next() + index);
   const auto kind = static_cast<SetKind>(index % kSetKinds);
   if (kind == SetKind::conflict) return draw_with_conflict(random);
   if (kind == SetKind::trap) return draw_known_trap(random);
