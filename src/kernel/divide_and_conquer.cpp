@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "kernel/assert.hpp"
-#include "kernel/huge_pages.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "kernel/spatial_order.hpp"
 
@@ -417,8 +416,8 @@ GhostedTriangulation divide_and_conquer(std::span<const Point2> sites, std::span
   THALWEG_ASSERT(sites.size() >= 2 && sites.size() <= kMaxSites && keys.size() == sites.size());
   const auto count = static_cast<Index>(sites.size());
   GhostedTriangulation mesh;
-  mesh.origin = large_vector<Index>(std::size_t{8} * (count - 1));
-  mesh.twin = large_vector<Index>(std::size_t{8} * (count - 1));
+  mesh.origin = Array<Index>(std::size_t{8} * (count - 1));
+  mesh.twin = Array<Index>(std::size_t{8} * (count - 1));
   const Builder builder(sites, mesh.origin.data(), mesh.twin.data());
   mesh.hull = builder.build(0, count, keys.data(), Axis::x, 0, threads).low;
   return mesh;

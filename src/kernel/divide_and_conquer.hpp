@@ -8,8 +8,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "thalweg/array.hpp"
 #include "thalweg/point.hpp"
 
 namespace thalweg::detail {
@@ -20,8 +20,8 @@ namespace thalweg::detail {
 /// Half-edge 4t+i (i < 3) of slot t runs from its i-th to its next corner. m sites make 2m - 2 triangles,
 /// ghosts included; if all sites are collinear there are ghosts only.
 struct GhostedTriangulation {
-  std::vector<std::uint32_t> origin;
-  std::vector<std::uint32_t> twin;
+  Array<std::uint32_t> origin;
+  Array<std::uint32_t> twin;
   std::uint32_t hull = 0;  ///< the half-edge of some ghost that is on the hull
 };
 

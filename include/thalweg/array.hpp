@@ -1,0 +1,49 @@
+/// Arrays that are not zeroed before they are filled: the threads that fill them are then the first to touch
+/// their memory, and no time goes into zeros.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace thalweg::detail {
+
+/// Memory of so many bytes, in large pages where the system has them and it matters: touching it for the
+/// first time is then several times cheaper, and so is reaching far into it. Throws std::bad_alloc.
+void* allocate_array(std::size_t bytes);
+void deallocate_array(void* memory) noexcept;
+
+/// An allocator for std::vector under which elements that are not given are default-initialised: numbers have
+/// no value yet.
+template <class T>
+struct UninitializedAllocator {
+  using value_type = T;
+
+  UninitializedAllocator() = default;
+  template <class U>
+  UninitializedAllocator(const UninitializedAllocator<U>&) noexcept {}
+
+  T* allocate(std::size_t count) {
+    if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
+    return static_cast<T*>(allocate_array(count * sizeof(T)));
+  }
+  void deallocate(T* memory, std::size_t) noexcept { deallocate_array(memory); }
+
+  template <class U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    ::new (static_cast<void*>(place)) U(static_cast<Arguments&&>(arguments)...);
+  }
+
+  friend bool operator==(const UninitializedAllocator&, const UninitializedAllocator&) noexcept {
+    return true;
+  }
+};
+
+template <class T>
+using Array = std::vector<T, UninitializedAllocator<T>>;
+
+}  // namespace thalweg::detail
