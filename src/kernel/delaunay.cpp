@@ -28,12 +28,13 @@ bool flat(const GhostedTriangulation& mesh) {
   return mesh.origin[prev_of(mesh.twin[mesh.hull])] == kGhost;
 }
 
-/// Lets the hull have no twin. Returns the slots of the ghosts, along the hull.
+/// Lets the hull have no twin, and the slots of ghosts begin with kGhost. Returns these slots.
 std::vector<std::uint32_t> cut_off_ghosts(GhostedTriangulation& mesh) {
   std::vector<std::uint32_t> slots;
   std::uint32_t h = mesh.hull;
   do {
     slots.push_back(h / 4);
+    mesh.origin[h & ~3u] = kGhost;
     mesh.twin[mesh.twin[h]] = kNone;
     h = prev_of(mesh.twin[prev_of(h)]);
   } while (h != mesh.hull);
@@ -42,12 +43,11 @@ std::vector<std::uint32_t> cut_off_ghosts(GhostedTriangulation& mesh) {
 
 /// Moves the last triangles into the slots of ghosts, so that the first `face_count` slots hold the faces.
 void fill_holes(GhostedTriangulation& mesh, std::span<const std::uint32_t> ghosts, std::uint32_t face_count) {
-  std::vector<std::uint32_t> last(ghosts.begin(), ghosts.end());  // the ghosts before `from`, ascending
-  std::sort(last.begin(), last.end());
   auto from = static_cast<std::uint32_t>(mesh.origin.size() / 4);
   for (const std::uint32_t to : ghosts) {
     if (to >= face_count) continue;
-    for (--from; !last.empty() && last.back() == from; --from) last.pop_back();
+    do --from;
+    while (mesh.origin[4 * std::size_t{from}] == kGhost);
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t h = mesh.twin[4 * from + i];
       mesh.origin[4 * to + i] = mesh.origin[4 * from + i];
@@ -70,31 +70,28 @@ Array<std::uint32_t> packed(const Array<std::uint32_t>& slots, std::uint32_t fac
   return faces;
 }
 
-/// Lowers `least` to `value` if that is less, while other threads may do the same.
-void lower_shared(std::uint32_t& least, std::uint32_t value) noexcept {
-  const std::atomic_ref<std::uint32_t> shared(least);
-  std::uint32_t seen = shared.load(std::memory_order_relaxed);
-  while (value < seen && !shared.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
-  }
-}
-
-/// For every site the half-edge along the hull that leaves it, or else the first of all that do.
+/// For every site the half-edge along the hull that leaves it, or else the first of all that do. Each part of
+/// the half-edges has a part of the sites for itself: those that lie where its triangles do.
 Array<std::uint32_t> outgoing_of(const Array<std::uint32_t>& origin, const Array<std::uint32_t>& twin,
-                                 std::uint32_t site_count, std::size_t parts) {
+                                 std::size_t site_count, std::size_t parts) {
   Array<std::uint32_t> outgoing(site_count);
-  std::fill(outgoing.begin(), outgoing.end(), kNone);
-  std::vector<std::vector<std::uint32_t>> hulls(parts);
+  std::vector<std::vector<std::uint32_t>> strays(parts), hulls(parts);
   parallel_parts(origin.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    for (auto h = static_cast<std::uint32_t>(begin); h < end; ++h) {
-      if (twin[h] == kNone) hulls[part].push_back(h);
-      std::uint32_t& out = outgoing[origin[h]];
-      if (parts == 1) {
-        out = std::min(out, h);
+    const std::size_t low = site_count * part / parts, high = site_count * (part + 1) / parts;
+    std::fill(outgoing.begin() + static_cast<std::ptrdiff_t>(low),
+              outgoing.begin() + static_cast<std::ptrdiff_t>(high), kNone);
+    for (auto h = static_cast<std::uint32_t>(end); h-- > begin;) {
+      if (origin[h] - low < high - low) {
+        outgoing[origin[h]] = h;
       } else {
-        lower_shared(out, h);
+        strays[part].push_back(h);
       }
+      if (twin[h] == kNone) hulls[part].push_back(h);
     }
   });
+  for (const auto& stray : strays) {
+    for (const std::uint32_t h : stray) outgoing[origin[h]] = std::min(outgoing[origin[h]], h);
+  }
   for (const auto& hull : hulls) {
     for (const std::uint32_t h : hull) outgoing[origin[h]] = h;
   }
@@ -103,7 +100,7 @@ Array<std::uint32_t> outgoing_of(const Array<std::uint32_t>& origin, const Array
 
 /// The triangles alone, packed. One array after the other, so that no more memory is held than there must be.
 Triangulation without_ghosts(GhostedTriangulation mesh, unsigned threads) {
-  const auto site_count = static_cast<std::uint32_t>(mesh.origin.size() / 8 + 1);
+  const std::size_t site_count = mesh.origin.size() / 8 + 1;
   const std::vector<std::uint32_t> ghosts = cut_off_ghosts(mesh);
   const auto face_count = static_cast<std::uint32_t>(mesh.origin.size() / 4 - ghosts.size());
   fill_holes(mesh, ghosts, face_count);

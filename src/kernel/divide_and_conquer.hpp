@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kGhost = 0xffffffffu;
 inline constexpr std::uint32_t kMaxSites = 0x1fffffffu;
 
 constexpr std::uint32_t next_of(std::uint32_t h) noexcept {
-  return (h & 3) == 2 ? h - 2 : h + 1;
+  return (h & 2) != 0 ? h - 2 : h + 1;
 }
 constexpr std::uint32_t prev_of(std::uint32_t h) noexcept {
   return (h & 3) == 0 ? h + 2 : h - 1;

@@ -130,29 +130,36 @@ void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
   }
 }
 
-/// The number of distinct points among rows that are sorted so that equal points are adjacent.
-std::uint32_t count_distinct(std::span<const std::uint32_t> rows, std::span<const Point2> points) {
-  std::uint32_t distinct = 1;
-  for (std::size_t i = 1; i < rows.size(); ++i) distinct += points[rows[i]] != points[rows[i - 1]];
+/// Sorts the rows of a cell by their points, then by number. Returns the number of distinct points.
+std::uint32_t sort_lexicographically(std::span<std::uint32_t> rows, std::span<const Point2> points) {
+  struct Placed {
+    Point2 point;
+    std::uint32_t row;
+  };
+  std::array<Placed, kCellSites> few;  // the rule: what is nearby in the cell is far apart among the points
+  std::vector<Placed> many(rows.size() > few.size() ? rows.size() : 0);
+  const std::span<Placed> placed = many.empty() ? std::span(few).first(rows.size()) : std::span(many);
+  std::transform(rows.begin(), rows.end(), placed.begin(), [points](std::uint32_t row) {
+    return Placed{points[row], row};
+  });
+  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    if (lexicographically_less(a.point, b.point)) return true;
+    return a.point == b.point && a.row < b.row;
+  });
+  std::uint32_t distinct = 0;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    rows[i] = placed[i].row;
+    distinct += i == 0 || placed[i].point != placed[i - 1].point;
+  }
   return distinct;
 }
 
-void sort_lexicographically(std::span<std::uint32_t> rows, std::span<const Point2> points) {
-  std::sort(rows.begin(), rows.end(), [points](std::uint32_t i, std::uint32_t j) {
-    if (lexicographically_less(points[i], points[j])) return true;
-    return points[i] == points[j] && i < j;
-  });
-}
-
 /// Orders the rows of one cell: in the cell's own box, cell by cell, if they are many sites, else
-/// lexicographically.
+/// lexicographically. Returns the number of distinct points.
 ///
 /// Whether they are many must not depend on duplicates. More different keys than kCellSites prove it cheaply.
-void order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, int level) {
-  if (rows.size() <= kCellSites || level == kKeyLevels) {
-    sort_lexicographically(rows, points);
-    return;
-  }
+std::uint32_t order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, int level) {
+  if (rows.size() <= kCellSites || level == kKeyLevels) return sort_lexicographically(rows, points);
   Array<KeyedRow> keyed(rows.size());
   {
     std::vector<Point2> gathered(rows.size());
@@ -164,14 +171,16 @@ void order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, i
   std::uint32_t different = 1;
   for (std::size_t i = 1; i < keyed.size(); ++i) different += key_of(keyed[i]) != key_of(keyed[i - 1]);
   if (different <= kCellSites) {
-    sort_lexicographically(rows, points);
-    if (count_distinct(rows, points) <= kCellSites) return;
+    const std::uint32_t distinct = sort_lexicographically(rows, points);
+    if (distinct <= kCellSites) return distinct;
   }
   std::transform(keyed.begin(), keyed.end(), rows.begin(), row_of);
+  std::uint32_t distinct = 0;
   for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
     while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
-    if (end - begin > 1) order_cell(rows.subspan(begin, end - begin), points, level + 1);
+    distinct += end - begin == 1 ? 1 : order_cell(rows.subspan(begin, end - begin), points, level + 1);
   }
+  return distinct;
 }
 
 /// Orders the rows within every cell. Returns whether any two points are equal.
@@ -187,8 +196,7 @@ bool order_cells(std::span<std::uint32_t> rows, std::span<const std::uint32_t> k
       while (next < rows.size() && keys[next] == keys[begin]) ++next;
       if (next - begin > 1) {
         const auto cell = rows.subspan(begin, next - begin);
-        order_cell(cell, points, 1);
-        if (count_distinct(cell, points) < cell.size()) duplicates = true;
+        if (order_cell(cell, points, 1) < cell.size()) duplicates = true;
       }
       begin = next;
     }
