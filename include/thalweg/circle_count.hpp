@@ -62,7 +62,7 @@ class CircleCounter {
 
   /// The sites that the last `count_in_circle` found inside: all of them, if they were not more than its
   /// limit. Requires: it has been called.
-  std::span<const VertexId> inside() const noexcept { return std::span(queue_).subspan(1); }
+  std::span<const VertexId> inside() const noexcept { return std::span(queue_).subspan(1, inside_count_); }
 
   /// Whether the triangle u, v, w has order at most k. Requires: counter-clockwise.
   bool order_at_most(unsigned k, const Triangle& t) { return count_in_circle(t[0], t[1], t[2], k) <= k; }
@@ -71,13 +71,15 @@ class CircleCounter {
   std::uint64_t calls() const noexcept { return calls_; }
 
  private:
+  void make_room(std::size_t size);
   unsigned crawl(VertexId u, VertexId v, VertexId w, unsigned limit, std::span<const VertexId> known);
 
   const DelaunayGraph* graph_;
   std::optional<VoronoiCounter> located_;
   detail::Array<std::uint32_t> stamp_;
-  std::vector<VertexId> queue_;  // a corner, then the sites found inside
-  std::vector<VertexId> fresh_;  // neighbours that were not met before
+  std::vector<VertexId> queue_;  // a corner, then the sites found inside, then room for more
+  std::vector<VertexId> fresh_;  // room for neighbours that were not met before
+  std::size_t inside_count_ = 0;
   std::uint32_t epoch_ = 0;
   std::uint64_t calls_ = 0;
 };

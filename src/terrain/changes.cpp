@@ -35,12 +35,14 @@ std::vector<FaceId> changed_faces(const Surface& surface, const Triangulation& t
 
 EdgeChanges edge_changes(const Surface& surface, const Triangulation& t, std::span<const FaceId> changed) {
   const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+  std::vector<bool> is_changed(t.face_count(), false);
+  for (const FaceId f : changed) is_changed[f.index()] = true;
   EdgeChanges result;
   for (const FaceId f : changed) {
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = Triangulation::halfedge(f, corner), twin = t.twin(h);
       if (!twin.valid()) continue;
-      const bool both = std::binary_search(changed.begin(), changed.end(), Triangulation::face(twin));
+      const bool both = is_changed[Triangulation::face(twin).index()];
       if (both && twin < h) continue;  // once an edge
       if (both && !is_delaunay_edge(surface, t.origin(h), t.dest(h))) ++result.changed;
       if (incircle_sign(at(t.origin(h)), at(t.dest(h)), at(t.apex(h)), at(t.apex(twin))) > 0)

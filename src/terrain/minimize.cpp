@@ -107,8 +107,9 @@ std::vector<RemovedPit> removed_pits(const Surface& surface, const Pits& after) 
   return removed;
 }
 
-/// Everything that is reported about the result, with the vertex ids of the surface.
-void describe(const Surface& surface, const Outcome& outcome, std::span<const detail::Exit> exits, unsigned k,
+/// Everything that is reported about the result, with the vertex ids of the surface. Takes its face orders
+/// from the outcome.
+void describe(const Surface& surface, Outcome& outcome, std::span<const detail::Exit> exits, unsigned k,
               Method method, const Watch& watch, Minimized& result) {
   const Triangulation& t = outcome.triangulation;
   const Pits after = find_pits(t, surface.z());
@@ -124,7 +125,9 @@ void describe(const Surface& surface, const Outcome& outcome, std::span<const de
 
   const std::vector<FaceId> changed = detail::changed_faces(surface, t);
   result.circle_counts = outcome.circle_counts;
-  result.face_orders = detail::orders_after(surface, t, changed, k, watch.threads, result.circle_counts);
+  result.face_orders = outcome.face_orders.empty()
+                           ? detail::orders_after(surface, t, changed, k, watch.threads, result.circle_counts)
+                           : std::move(outcome.face_orders);
   const detail::EdgeChanges edges = detail::edge_changes(surface, t, changed);
   result.edges_changed = edges.changed;
   result.non_delaunay_edges = edges.non_delaunay;
