@@ -58,10 +58,9 @@ inline std::uint64_t sticky_quotient(std::uint64_t high, std::uint64_t low,
   const std::uint64_t fraction = detail::multiply_add(power.reciprocal, high, low, 0, quotient);
   quotient += high + 1;
   std::uint64_t rest = low - quotient * power.divisor;
-  if (rest > fraction) {
-    --quotient;
-    rest += power.divisor;
-  }
+  const std::uint64_t too_large = -static_cast<std::uint64_t>(rest > fraction);  // all ones, or zero
+  quotient += too_large;
+  rest += too_large & power.divisor;
   if (rest >= power.divisor) [[unlikely]] {
     ++quotient;
     rest -= power.divisor;
@@ -70,10 +69,19 @@ inline std::uint64_t sticky_quotient(std::uint64_t high, std::uint64_t low,
 }
 
 /// The double nearest to digits * 10^exponent, ties to even.
-/// Exact: with 62 bits or more and a sticky bit below them the conversion to 53 bits is the only rounding;
-/// the power of two only moves the exponent, far from either end of its range.
-/// Requires: digits != 0, |exponent| <= kLargestPower, rounding to nearest.
+/// Exact: a quotient of two exact doubles is rounded once (Clinger 1990). Otherwise, with 62 bits or more and
+/// a sticky bit below them the conversion to 53 bits is the only rounding; the power of two only moves the
+/// exponent, far from either end of its range. Requires: digits != 0, |exponent| <= kLargestPower, rounding
+/// to nearest.
 inline double nearest_double(std::uint64_t digits, int exponent) noexcept {
+  constexpr std::array<double, 23> kExactPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  // Below 2^53, and far enough for the digits of a full double to be predictably on one side.
+  if (digits < 1000000000000000 && exponent <= 0 && exponent >= -22) {
+    return static_cast<double>(static_cast<std::int64_t>(digits)) /
+           kExactPowers[static_cast<std::size_t>(-exponent)];
+  }
   const int zeros = std::countl_zero(digits);
   const std::uint64_t normal = digits << zeros;
   if (exponent <= 0) {
@@ -91,24 +99,33 @@ inline double nearest_double(std::uint64_t digits, int exponent) noexcept {
          power_of_two(65 - zeros - power.shift + exponent);
 }
 
-/// Takes eight digits at once, if there are eight. Requires: eight bytes at `at`.
-inline bool take_eight_digits(const char* at, std::uint64_t& digits) noexcept {
-  if constexpr (std::endian::native != std::endian::little) return false;
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, at, sizeof bytes);
-  const std::uint64_t high = bytes & 0xf0f0f0f0f0f0f0f0u;
-  const std::uint64_t carried = (bytes + 0x0606060606060606u) & 0xf0f0f0f0f0f0f0f0u;
-  if ((high | carried >> 4) != 0x3333333333333333u) return false;
-  bytes &= 0x0f0f0f0f0f0f0f0fu;
+/// The number that eight digits make, each the value of a byte, the first in the lowest.
+inline std::uint64_t eight_digits(std::uint64_t bytes) noexcept {
   bytes = bytes * 10 + (bytes >> 8);  // pairs, in every second byte
   const std::uint64_t left = (bytes & 0x000000ff000000ffu) * (100 + (std::uint64_t{1000000} << 32));
   const std::uint64_t right = (bytes >> 16 & 0x000000ff000000ffu) * (1 + (std::uint64_t{10000} << 32));
-  digits = digits * 100000000 + ((left + right) >> 32);
-  return true;
+  return (left + right) >> 32;
 }
 
+/// Appends the digits at `at` to the number `digits`, wrapping around, and returns their end. Runs of digits
+/// have all lengths, which no branch predicts, so up to eight are taken without one.
 inline const char* take_digits(const char* at, const char* last, std::uint64_t& digits) noexcept {
-  while (last - at >= 8 && take_eight_digits(at, digits)) at += 8;
+  constexpr std::array<std::uint64_t, 8> kPowers = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
+  while (std::endian::native == std::endian::little && last - at >= 8) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, at, sizeof bytes);
+    bytes ^= 0x3030303030303030u;  // digits become 0 to 9
+    // The high bit of each byte above 9; carries reach only bytes after the first of these.
+    const std::uint64_t others = ((bytes + 0x7676767676767676u) | bytes) & 0x8080808080808080u;
+    if (others != 0) {
+      const int count = std::countr_zero(others) / 8;
+      bytes = bytes << (56 - 8 * count) << 8;  // zeros before the digits
+      digits = digits * kPowers[static_cast<std::size_t>(count)] + eight_digits(bytes);
+      return at + count;
+    }
+    digits = digits * 100000000 + eight_digits(bytes);
+    at += 8;
+  }
   for (; at != last && static_cast<unsigned char>(*at - '0') < 10; ++at)
     digits = digits * 10 + static_cast<unsigned char>(*at - '0');
   return at;

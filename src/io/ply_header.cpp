@@ -157,15 +157,15 @@ std::size_t PlyElement::least_size(PlyEncoding encoding) const noexcept {
 }
 
 Result<PlyHeader> parse_ply_header(const InputFile& input) {
-  TextScanner scanner(input.bytes(), input.name, 0);
+  TextScanner scanner(input.bytes(), input.name(), 0);
   if (!scanner.next_line() || scanner.word() != "ply") {
-    return line_error(input.name, 1,
+    return line_error(input.name(), 1,
                       "the first line of a PLY file must be `ply`: say what it is with --from");
   }
   PlyHeader header;
   if (!read_lines(scanner, header)) {
     if (scanner.fault()) return *scanner.fault();
-    return line_error(input.name, scanner.line_number(), "the file ends in its header: it is cut short");
+    return line_error(input.name(), scanner.line_number(), "the file ends in its header: it is cut short");
   }
   header.body = scanner.remaining();
   header.lines = scanner.line_number();

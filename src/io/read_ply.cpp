@@ -32,7 +32,7 @@ struct Place {
 class AsciiSource {
  public:
   AsciiSource(const InputFile& input, const PlyHeader& header)
-      : scanner_(header.body, input.name, 0, header.lines + 1) {}
+      : scanner_(header.body, input.name(), 0, header.lines + 1) {}
 
   bool begin_row(const Place& place) {
     if (scanner_.next_line()) return true;
@@ -73,7 +73,7 @@ class BinarySource {
   BinarySource(const InputFile& input, const PlyHeader& header)
       : at_(header.body.data()),
         last_(at_ + header.body.size()),
-        name_(input.name),
+        name_(input.name()),
         swap_((header.encoding == PlyEncoding::big_endian) != (std::endian::native == std::endian::big)) {}
 
   bool begin_row(const Place& place) {

@@ -15,11 +15,19 @@ struct Opened {
   Format format;
 };
 
+/// Rows and columns are read in blocks; of all else the whole text is wanted at once.
+bool in_blocks(Format format) {
+  return format == Format::xyz || format == Format::csv || format == Format::tsv;
+}
+
 Result<Opened> open_input(const std::string& path, const ReadOptions& options) {
-  Result<InputFile> input = read_input(path, options);
+  Result<InputFile> input = InputFile::open(path, options);
   if (!input) return std::move(input).error();
   const Result<Format> format = format_of_input(*input, path, options);
   if (!format) return format.error();
+  if (!in_blocks(*format)) {
+    if (auto error = input->load_all()) return std::move(*error);
+  }
   return Opened{std::move(*input), *format};
 }
 
@@ -49,7 +57,7 @@ PointTable cells_of(const Grid& grid) {
   return table;
 }
 
-Result<PointTable> parse_points(const Opened& opened, const ReadOptions& options) {
+Result<PointTable> parse_points(Opened& opened, const ReadOptions& options) {
   if (is_mesh(opened.format)) {
     Result<MeshFile> mesh = parse_mesh(opened, Faces::ignore);
     if (!mesh) return std::move(mesh).error();
@@ -72,6 +80,13 @@ Result<PointTable> parse_points(const Opened& opened, const ReadOptions& options
 
 }  // namespace
 
+std::optional<Error> find_excess(const InputFile& input, std::uint64_t count) {
+  if (count <= kMostPoints) return std::nullopt;
+  return input.error(ErrorCode::too_many_points, std::to_string(count) +
+                                                     " points or more, and 32-bit ids allow " +
+                                                     std::to_string(kMostPoints) + ": cut them into tiles");
+}
+
 Result<PointTable> read_points(const std::string& path, const ReadOptions& options) {
   Result<Opened> opened = open_input(path, options);
   if (!opened) return std::move(opened).error();
@@ -82,10 +97,7 @@ Result<PointTable> read_points(const std::string& path, const ReadOptions& optio
                                                          ? "has no points"
                                                          : "has no points: every z is the no-data value");
   }
-  if (table->points.size() > kMostPoints) {
-    return opened->input.error(ErrorCode::too_many_points,
-                               "more points than 32-bit ids can number: split the file");
-  }
+  if (auto excess = find_excess(opened->input, table->points.size())) return std::move(*excess);
   return table;
 }
 
@@ -108,10 +120,7 @@ Result<MeshFile> read_mesh(const std::string& path, const ReadOptions& options) 
   }
   Result<MeshFile> mesh = parse_mesh(*opened, Faces::keep);
   if (!mesh) return mesh;
-  if (mesh->points.size() > kMostPoints) {
-    return opened->input.error(ErrorCode::too_many_points,
-                               "more vertices than 32-bit ids can number: split the mesh");
-  }
+  if (auto excess = find_excess(opened->input, mesh->points.size())) return std::move(*excess);
   if (mesh->points.empty())
     return opened->input.error(ErrorCode::malformed, "has no vertices: it is no mesh");
   if (mesh->triangles.empty())
