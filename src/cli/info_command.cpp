@@ -163,6 +163,7 @@ Result<FileFacts> read_facts(const InfoOptions& options) {
     case io::Format::ply:
     case io::Format::ply_ascii:
     case io::Format::two_dm:
+    case io::Format::tlw:
       return read_as_mesh(options);
     default:
       return read_as_points(options);
@@ -256,7 +257,7 @@ Command add_info(CLI::App& thalweg) {
   CLI::App* app =
       thalweg.add_subcommand("info", "Counts, extent, duplicates, and the memory that build needs");
   app->add_option("FILE", options->file,
-                  "Points (xyz, csv, tsv), grid (asc) or mesh (ply, obj, 2dm); - is stdin")
+                  "Points (xyz, csv, tsv, npy), grid (asc) or mesh (ply, obj, 2dm, tlw); - is stdin")
       ->required();
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);

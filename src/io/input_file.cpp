@@ -12,7 +12,9 @@
 #include <system_error>
 #include <utility>
 
+#include "io/npy.hpp"
 #include "io/number.hpp"
+#include "io/tlw.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -58,13 +60,18 @@ constexpr std::array kForeign = {
     Magic{
         "SQLite format 3"sv,
         "a GeoPackage or SQLite file: convert it first: ogr2ogr -f CSV -lco GEOMETRY=AS_XYZ points.csv FILE"sv},
-    Magic{"\x93NUMPY"sv,
-          "a NumPy array: write it as text first: numpy.savetxt('points.xyz', a, fmt='%.17g')"sv},
     Magic{"\x89PNG"sv, "a PNG image: give the elevations as points or as an ESRI ASCII grid"sv},
     Magic{"%PDF"sv, "a PDF document: give the elevations as points or as an ESRI ASCII grid"sv},
     Magic{"\x7f"
           "ELF"sv,
           "a program: give the elevations as points or as an ESRI ASCII grid"sv},
+};
+
+/// A binary format of ours, and whether the input begins so.
+struct Known {
+  bool begins;
+  Format format;
+  std::string_view what;
 };
 
 }  // namespace
@@ -208,7 +215,18 @@ Result<Format> format_of_input(const InputFile& input, const std::string& path, 
   for (const Magic& magic : kForeign) {
     if (input.bytes().starts_with(magic.bytes)) return input.error(ErrorCode::unreadable, magic.advice);
   }
-  if (path == "-" && options.format.empty()) {
+  const bool told_by_content = path == "-" && options.format.empty();
+  for (const auto& [begins, format, what] :
+       {Known{begins_as_npy(input.bytes()), Format::npy, "a NumPy array"},
+        Known{begins_as_tlw(input.bytes()), Format::tlw, "a .tlw file"}}) {
+    if (!begins) continue;
+    if (told_by_content) return format;
+    const Result<Format> said = format_of(path, options.format, Direction::read);
+    if (said && *said == format) return format;
+    return input.error(ErrorCode::unreadable,
+                       std::string(what) + ": say --from " + std::string(name_of(format)));
+  }
+  if (told_by_content) {
     const std::string_view text = input.text();
     if (text.starts_with("ply\n") || text.starts_with("ply\r")) return Format::ply;
     if (text.starts_with("MESH2D")) return Format::two_dm;

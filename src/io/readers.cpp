@@ -1,11 +1,14 @@
 /// The public readers: each opens the file, finds its format and hands it to the reader of that format.
+#include <cmath>
 #include <utility>
 
 #include "io/grid.hpp"
 #include "io/input_file.hpp"
 #include "io/mesh_file.hpp"
+#include "io/npy.hpp"
 #include "io/point_table.hpp"
 #include "io/readers.hpp"
+#include "io/tlw.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -15,9 +18,9 @@ struct Opened {
   Format format;
 };
 
-/// Rows and columns are read in blocks; of all else the whole text is wanted at once.
-bool in_blocks(Format format) {
-  return format == Format::xyz || format == Format::csv || format == Format::tsv;
+/// Of these the whole text is wanted at once; all else is read in blocks.
+bool is_wanted_whole(Format format) {
+  return format == Format::asc || format == Format::obj || format == Format::two_dm;
 }
 
 Result<Opened> open_input(const std::string& path, const ReadOptions& options) {
@@ -25,7 +28,7 @@ Result<Opened> open_input(const std::string& path, const ReadOptions& options) {
   if (!input) return std::move(input).error();
   const Result<Format> format = format_of_input(*input, path, options);
   if (!format) return format.error();
-  if (!in_blocks(*format)) {
+  if (is_wanted_whole(*format)) {
     if (auto error = input->load_all()) return std::move(*error);
   }
   return Opened{std::move(*input), *format};
@@ -33,12 +36,13 @@ Result<Opened> open_input(const std::string& path, const ReadOptions& options) {
 
 bool is_mesh(Format format) {
   return format == Format::obj || format == Format::ply || format == Format::ply_ascii ||
-         format == Format::two_dm;
+         format == Format::two_dm || format == Format::tlw;
 }
 
-Result<MeshFile> parse_mesh(const Opened& opened, Faces faces) {
+Result<MeshFile> parse_mesh(Opened& opened, Faces faces) {
   if (opened.format == Format::obj) return parse_obj(opened.input, faces);
   if (opened.format == Format::two_dm) return parse_2dm(opened.input, faces);
+  if (opened.format == Format::tlw) return parse_tlw(opened.input, faces);
   return parse_ply(opened.input, faces);
 }
 
@@ -57,6 +61,14 @@ PointTable cells_of(const Grid& grid) {
   return table;
 }
 
+void skip_nodata(PointTable& table, const ReadOptions& options) {
+  if (!options.nodata) return;
+  const double nodata = *options.nodata;
+  table.skipped_nodata = std::erase_if(table.points, [=](const Point3& p) {
+    return p.z == nodata || (std::isnan(p.z) && std::isnan(nodata));
+  });
+}
+
 Result<PointTable> parse_points(Opened& opened, const ReadOptions& options) {
   if (is_mesh(opened.format)) {
     Result<MeshFile> mesh = parse_mesh(opened, Faces::ignore);
@@ -64,10 +76,12 @@ Result<PointTable> parse_points(Opened& opened, const ReadOptions& options) {
     PointTable table;
     table.crs = std::move(mesh->crs);
     table.points = std::move(mesh->points);
-    if (options.nodata) {
-      table.skipped_nodata =
-          std::erase_if(table.points, [&](const Point3& p) { return p.z == *options.nodata; });
-    }
+    skip_nodata(table, options);
+    return table;
+  }
+  if (opened.format == Format::npy) {
+    Result<PointTable> table = parse_npy(opened.input, options);
+    if (table) skip_nodata(*table, options);
     return table;
   }
   if (opened.format == Format::asc) {
@@ -116,7 +130,7 @@ Result<MeshFile> read_mesh(const std::string& path, const ReadOptions& options) 
   if (!opened) return std::move(opened).error();
   if (!is_mesh(opened->format)) {
     return opened->input.error(ErrorCode::malformed,
-                               "has points but no triangles: give a mesh (obj, ply, 2dm)");
+                               "has points but no triangles: give a mesh (obj, ply, 2dm, tlw)");
   }
   Result<MeshFile> mesh = parse_mesh(*opened, Faces::keep);
   if (!mesh) return mesh;

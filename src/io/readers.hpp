@@ -26,7 +26,8 @@ enum class Faces { keep, ignore };
 Result<PointTable> parse_table(InputFile& input, const ReadOptions& options);
 Result<Grid> parse_grid(const InputFile& input, const ReadOptions& options);
 Result<MeshFile> parse_obj(const InputFile& input, Faces faces);
-Result<MeshFile> parse_ply(const InputFile& input, Faces faces);
+/// Begins with what is loaded of the input, and reads the rest of a binary file in blocks.
+Result<MeshFile> parse_ply(InputFile& input, Faces faces);
 Result<MeshFile> parse_2dm(const InputFile& input, Faces faces);
 
 /// The most points that 32-bit ids can triangulate: a half-edge, of which a site has six, has one too.

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "io/npy.hpp"
 #include "io/row_writer.hpp"
+#include "io/tlw.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -142,21 +144,32 @@ std::optional<Error> write_mesh(OutputFile& output, const MeshView& mesh, Format
       write_ply_header(out, mesh, format == Format::ply_ascii);
       format == Format::ply_ascii ? write_ply_ascii(out, mesh) : write_ply_binary(out, mesh);
       break;
+    case Format::tlw:
+      write_tlw(output, mesh);
+      break;
+    case Format::npy:
+      write_npy(output, mesh.triangles);
+      break;
     case Format::csv:
     case Format::tsv:
     case Format::xyz:
       write_rows(out, mesh.points, mesh.pit, format);
       break;
     default:
-      return wrong_format(format, "a mesh", "ply, ply-ascii, obj, 2dm, csv, tsv, xyz");
+      return wrong_format(format, "a mesh", "ply, ply-ascii, obj, 2dm, tlw, npy, csv, tsv, xyz");
   }
   out.flush();
   return output.error();
 }
 
 std::optional<Error> write_points(OutputFile& output, std::span<const Point3> points, Format format) {
+  if (format == Format::tlw || format == Format::npy) {
+    format == Format::npy ? write_npy(output, points)
+                          : write_tlw(output, {.points = points, .triangles = {}});
+    return output.error();
+  }
   if (format != Format::csv && format != Format::tsv && format != Format::xyz) {
-    return wrong_format(format, "bare points", "xyz, csv, tsv");
+    return wrong_format(format, "bare points", "xyz, csv, tsv, tlw, npy");
   }
   RowWriter out(output);
   write_rows(out, points, {}, format);

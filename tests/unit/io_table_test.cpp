@@ -310,7 +310,7 @@ TEST(Format, ComesFromTheNameElseFromTheSuffix) {
   EXPECT_EQ(format_of("x.foo", "", Direction::write).error().message,
             "x.foo: \".foo\" is no suffix of a format that can be written: say the format with --to (xyz, "
             "csv, tsv, obj, "
-            "ply, ply-ascii, 2dm, geojson)");
+            "ply, ply-ascii, 2dm, tlw, npy, geojson)");
 }
 
 }  // namespace
