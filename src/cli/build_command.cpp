@@ -77,7 +77,7 @@ Result<BuildTargets> check_targets(const BuildOptions& options) {
 
 /// Tells the memory that is needed, and refuses what --max-memory forbids.
 std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t points, Console& console) {
-  const std::uint64_t needed = estimate_build_memory(points);
+  const std::uint64_t needed = estimate_build_memory(points, options.method);
   const std::uint64_t machine = machine_memory_bytes();
   console.detail(options.points + ": " + counted(points, "point", "points") + ", about " +
                  format_bytes(needed) + " of memory needed");
@@ -85,7 +85,7 @@ std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t 
     console.warn("about " + format_bytes(needed) + " of memory is needed and this machine has " +
                  format_bytes(machine) + ": cut the points into tiles if it does not suffice");
   }
-  const auto refusal = over_limit(points, options.max_memory);
+  const auto refusal = over_limit(points, options.method, options.max_memory);
   if (!refusal) return std::nullopt;
   return console.fail(ExitCode::resources, options.points + ": " + *refusal);
 }

@@ -1,4 +1,5 @@
 /// The public readers: each opens the file, finds its format and hands it to the reader of that format.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -46,8 +47,12 @@ Result<MeshFile> parse_mesh(Opened& opened, Faces faces) {
   return parse_ply(opened.input, faces);
 }
 
-PointTable cells_of(const Grid& grid) {
+Result<PointTable> cells_of(const InputFile& input, const Grid& grid) {
   PointTable table;
+  const auto count = static_cast<std::size_t>(
+      std::count_if(grid.values.begin(), grid.values.end(), [&](double z) { return !grid.is_nodata(z); }));
+  if (auto excess = find_excess(input, count)) return std::move(*excess);
+  reserve_large(table.points, count);
   for (std::uint32_t row = 0; row < grid.rows; ++row) {
     for (std::uint32_t column = 0; column < grid.columns; ++column) {
       const double z = grid.value(row, column);
@@ -87,7 +92,7 @@ Result<PointTable> parse_points(Opened& opened, const ReadOptions& options) {
   if (opened.format == Format::asc) {
     Result<Grid> grid = parse_grid(opened.input, options);
     if (!grid) return std::move(grid).error();
-    return cells_of(*grid);
+    return cells_of(opened.input, *grid);
   }
   return parse_table(opened.input, options);
 }
