@@ -47,7 +47,7 @@ TEST_F(CliBinaryFiles, EveryCommandTakesThem) {
       EXPECT_EQ(read(name + "." + out), read(std::string("p.xyz.") + out)) << command;
     }
     expect_done({"sweep", file, "-k", "0..1"});
-    expect_done({"build", "-", "-o", "stdin.ply", "-k", "4", "--overwrite"}, path(name));
+    expect_done({"build", "-", "-o", "stdin.ply", "-k", "4", "--overwrite"}, read(name));
     EXPECT_EQ(read("stdin.ply"), read("p.xyz.ply"));
     EXPECT_EQ(run_json({"info", file})["points"], 300);
   }
