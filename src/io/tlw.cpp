@@ -1,6 +1,7 @@
 #include "io/tlw.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -98,6 +99,25 @@ Result<std::string> read_name(InputFile& input, const TlwHeader& header) {
   return name;
 }
 
+/// Brings the corners of a block into this machine's byte order and sees that there are such points.
+std::optional<Error> check_corners(const InputFile& input, std::size_t first, std::span<IndexTriangle> block,
+                                   std::size_t points) {
+  const std::span<std::uint32_t> corners(block.front().data(), 3 * block.size());
+  if constexpr (std::endian::native != std::endian::little) {
+    for (std::uint32_t& c : corners)
+      c = static_cast<std::uint32_t>(little_endian_number(reinterpret_cast<const char*>(&c), 4));
+  }
+  const auto foreign = [=](std::uint32_t corner) { return corner >= points; };
+  std::uint32_t largest = 0;
+  for (const std::uint32_t corner : corners) largest = std::max(largest, corner);
+  if (!foreign(largest)) return std::nullopt;
+  const auto at =
+      static_cast<std::size_t>(std::find_if(corners.begin(), corners.end(), foreign) - corners.begin());
+  return row_error(input, "triangle", first + at / 3,
+                   "point " + std::to_string(corners[at]) + " does not exist: there are " +
+                       std::to_string(points) + ", numbered from 0");
+}
+
 std::optional<Error> read_triangles(InputFile& input, std::uint64_t count, MeshFile& mesh) {
   constexpr std::uint64_t kBlock = 1 << 15;
   if (input.unread().value_or(0) / sizeof(IndexTriangle) >= count)
@@ -111,16 +131,7 @@ std::optional<Error> read_triangles(InputFile& input, std::uint64_t count, MeshF
     if (*got < block.size_bytes())
       return row_error(input, "triangle", first + *got / sizeof(IndexTriangle),
                        "the file ends here: it is cut short");
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      for (std::uint32_t& corner : block[i]) {
-        corner = static_cast<std::uint32_t>(little_endian_number(reinterpret_cast<const char*>(&corner), 4));
-        if (corner >= mesh.points.size()) {
-          return row_error(input, "triangle", first + i,
-                           "point " + std::to_string(corner) + " does not exist: there are " +
-                               std::to_string(mesh.points.size()) + ", numbered from 0");
-        }
-      }
-    }
+    if (auto error = check_corners(input, first, block, mesh.points.size())) return error;
   }
   return std::nullopt;
 }
