@@ -8,9 +8,26 @@
 #include <cstdint>
 #include <cstring>
 
-#include "kernel/wide_multiply.hpp"
-
 namespace thalweg::io {
+
+/// The low half of a * b + addend; `high` becomes the high half. In halves of 32 bits where the compiler has
+/// no wider numbers.
+inline std::uint64_t multiply_add(std::uint64_t a, std::uint64_t b, std::uint64_t addend,
+                                  std::uint64_t& high) noexcept {
+#if defined(__SIZEOF_INT128__)
+  __extension__ using Wide = unsigned __int128;
+  const Wide sum = static_cast<Wide>(a) * b + addend;
+  high = static_cast<std::uint64_t>(sum >> 64);
+  return static_cast<std::uint64_t>(sum);
+#else
+  constexpr std::uint64_t kLow = 0xffffffffu;
+  const std::uint64_t low = (a & kLow) * (b & kLow) + (addend & kLow);
+  const std::uint64_t cross = (a >> 32) * (b & kLow) + (low >> 32) + (addend >> 32);
+  const std::uint64_t other = (a & kLow) * (b >> 32) + (cross & kLow);
+  high = (a >> 32) * (b >> 32) + (cross >> 32) + (other >> 32);
+  return other << 32 | (low & kLow);
+#endif
+}
 
 /// The largest power of five below 2^63 is 5^27.
 inline constexpr int kLargestPower = 27;
@@ -55,7 +72,7 @@ inline double power_of_two(int exponent) noexcept {
 inline std::uint64_t sticky_quotient(std::uint64_t high, std::uint64_t low,
                                      const PowerOfFive& power) noexcept {
   std::uint64_t quotient = 0;
-  const std::uint64_t fraction = detail::multiply_add(power.reciprocal, high, low, 0, quotient);
+  const std::uint64_t fraction = multiply_add(power.reciprocal, high, low, quotient);
   quotient += high + 1;
   std::uint64_t rest = low - quotient * power.divisor;
   const std::uint64_t too_large = -static_cast<std::uint64_t>(rest > fraction);  // all ones, or zero
@@ -93,7 +110,7 @@ inline double nearest_double(std::uint64_t digits, int exponent) noexcept {
   }
   const PowerOfFive& power = kPowersOfFive[static_cast<std::size_t>(exponent)];
   std::uint64_t high = 0;
-  const std::uint64_t low = detail::multiply_add(normal, power.divisor, 0, 0, high);
+  const std::uint64_t low = multiply_add(normal, power.divisor, 0, high);
   const std::uint64_t sticky = high >> 1 | (high & 1) | static_cast<std::uint64_t>(low != 0);
   return static_cast<double>(static_cast<std::int64_t>(sticky)) *
          power_of_two(65 - zeros - power.shift + exponent);

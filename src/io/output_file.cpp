@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "kernel/parallel.hpp"
+#include "io/parallel.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -147,7 +147,7 @@ Result<OutputFile> OutputFile::open(const std::string& path, const OutputOptions
   file.path_ = path;
   file.overwrite_ = options.overwrite;
   file.cancel_ = options.cancel;
-  file.threads_ = detail::resolve_threads(options.threads);
+  file.threads_ = resolve_threads(options.threads);
   if (const auto descriptor = inherited_descriptor(path)) {
     file.descriptor_ = ::fcntl(*descriptor, F_DUPFD_CLOEXEC, 0);
     if (file.descriptor_ < 0) return unwritable(path, errno);

@@ -15,7 +15,6 @@
 #include "io/readers.hpp"
 #include "io/table_layout.hpp"
 #include "io/text_scanner.hpp"
-#include "kernel/parallel.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -218,7 +217,7 @@ class TableReader {
   TableReader(InputFile& input, const TableLayout& layout, const ReadOptions& options)
       : input_(input),
         plan_(plan_rows(layout, options)),
-        threads_(detail::resolve_threads(options.threads)),
+        threads_(resolve_threads(options.threads)),
         blocks_(input, std::min<std::size_t>(threads_, kMostParts) * kPartSize),
         line_(layout.first_line) {}
 

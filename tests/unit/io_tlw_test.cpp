@@ -11,7 +11,9 @@
 
 #include "io/mesh_file.hpp"
 #include "io/point_table.hpp"
+#include "io/readers.hpp"
 #include "io/write_mesh.hpp"
+#include "kernel/divide_and_conquer.hpp"
 #include "support/allocation_watch.hpp"
 #include "support/io_support.hpp"
 
@@ -151,6 +153,10 @@ TEST_F(Tlw, IsToldByItsContentWhereTheNameSaysOtherwise) {
   const std::string path = folder_.put("m.xyz", good());
   EXPECT_EQ(message_of(read_points(path), path), "m.xyz: a .tlw file: say --from tlw");
   EXPECT_TRUE(read_points(path, {.format = "tlw"}));
+}
+
+TEST_F(Tlw, LimitIsThatOfTheKernel) {
+  EXPECT_EQ(kMostPoints, detail::kMaxSites);
 }
 
 TEST_F(Tlw, NodataIsSkipped) {
