@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint32_t kNone = HalfedgeId::kInvalid;
 
 /// What a thread takes at a time.
-constexpr std::uint32_t kChunk = 1u << 16;
+constexpr std::uint32_t kRowChunk = 1u << 16;
 
 /// Whether there is no triangle: then, and only then, the hull runs to and fro and ghosts have ghosts behind
 /// them.
@@ -77,7 +77,7 @@ void pack(GhostedTriangulation& mesh, std::uint32_t face_count, unsigned threads
     mesh.twin.resize(3 * std::size_t{face_count});
   };
   // Two arrays, so two threads at most; in place, each must go through its array in order.
-  parallel_chunks(2, 1, face_count < kChunk ? 1 : threads, [&] {
+  parallel_chunks(2, 1, face_count < kRowChunk ? 1 : threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t array = begin; array < end; ++array) array == 0 ? pack_origin() : pack_twin();
     };
@@ -88,7 +88,7 @@ void pack(GhostedTriangulation& mesh, std::uint32_t face_count, unsigned threads
 /// adding up keeps a NaN.)
 std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsigned threads) {
   std::atomic<bool> all_finite{true};
-  parallel_chunks(points.size(), kChunk, threads, [&] {
+  parallel_chunks(points.size(), kRowChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       double x = 0, y = 0;
       for (std::size_t i = begin; i < end; ++i) {
@@ -110,7 +110,7 @@ std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsig
 std::vector<Point2> gathered(std::span<const Point2> points, std::span<const std::uint32_t> rows,
                              unsigned threads) {
   std::vector<Point2> sites = large_vector<Point2>(rows.size());
-  parallel_chunks(rows.size(), kChunk, threads, [&] {
+  parallel_chunks(rows.size(), kRowChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) sites[i] = points[rows[i]];
     };
