@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/order_k_voronoi.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/triangulation.hpp"
@@ -16,7 +16,7 @@ namespace thalweg {
 
 /// The sites with their Delaunay neighbours, packed for graph searches. Immutable: safe for concurrent
 /// readers. Memory: about 28 bytes a site beside the sites, which are referred to, not copied.
-class THALWEG_API DelaunayGraph {
+class THALWEG_EXPORT DelaunayGraph {
  public:
   /// Requires: `delaunay` is a Delaunay triangulation of `sites` (any of them where sites are cocircular);
   /// vertex v lies at sites[v]; both outlive the graph. Isolated vertices have no neighbours and are never
@@ -51,7 +51,7 @@ class THALWEG_API DelaunayGraph {
 
 /// Counts sites in circles by a search of the Delaunay graph, or by point location if the graph says so.
 /// Holds scratch memory of 4 bytes a site: one per thread.
-class THALWEG_API CircleCounter {
+class THALWEG_EXPORT CircleCounter {
  public:
   /// Requires: `graph` outlives the counter. Complexity: O(n), for the scratch memory.
   explicit CircleCounter(const DelaunayGraph& graph);
@@ -90,8 +90,8 @@ class THALWEG_API CircleCounter {
 /// The order of every face: the number of sites strictly inside its circumcircle, or limit + 1 if more than
 /// `limit`. Exact. Requires: a triangulation of the sites of `graph` with the same vertex ids. The result
 /// does not depend on `threads` (0 = all of the machine). Complexity: O(m * order).
-THALWEG_API std::vector<std::uint32_t> face_orders(const DelaunayGraph& graph,
-                                                   const Triangulation& triangulation, unsigned limit,
-                                                   unsigned threads = 1);
+THALWEG_EXPORT std::vector<std::uint32_t> face_orders(const DelaunayGraph& graph,
+                                                      const Triangulation& triangulation, unsigned limit,
+                                                      unsigned threads = 1);
 
 }  // namespace thalweg

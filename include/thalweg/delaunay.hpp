@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
 #include "thalweg/triangulation.hpp"
@@ -23,7 +23,7 @@ struct DelaunayOptions {
 /// all_collinear, too_many_points, each with the rows to blame. Complexity: O(n log n), about 100 bytes a
 /// site at the peak. Source: Lee and Schachter 1980, Guibas and Stolfi 1985, Dwyer 1987; ghost triangles as
 /// in Shewchuk 1996.
-THALWEG_API Result<Triangulation> delaunay(std::span<const Point2> sites,
-                                           const DelaunayOptions& options = {});
+THALWEG_EXPORT Result<Triangulation> delaunay(std::span<const Point2> sites,
+                                              const DelaunayOptions& options = {});
 
 }  // namespace thalweg

@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
 
@@ -71,13 +71,13 @@ inline constexpr std::uint32_t kMostCorollary2Segments = 8;
 /// with the segments to blame as rows, for fewer than 2 or more than kMostTheorem1Segments, a coordinate
 /// beyond 2^29, a segment that is a point, two ends at one place, an end on another segment, and coordinates
 /// that would not fit into 2^53; all_collinear. Complexity: O(n^2 log n).
-THALWEG_API Result<HardInstance> theorem1_instance(std::span<const LatticeSegment> segments);
+THALWEG_EXPORT Result<HardInstance> theorem1_instance(std::span<const LatticeSegment> segments);
 
 /// The instance in general position, for triangulations of order at most `order`. Laws: over all
 /// triangulations of order <= `order` the minimum of pits is 2n - (maximum set of non-crossing segments); no
 /// three ends or shields are collinear. Errors: as theorem1_instance, with at most kMostCorollary2Segments,
 /// and invalid_argument if three ends are collinear, or if the points would not fit into 2^53. Complexity:
 /// O(n^6) a try, below half a second at n = 8.
-THALWEG_API Result<HardInstance> corollary2_instance(std::span<const LatticeSegment> segments);
+THALWEG_EXPORT Result<HardInstance> corollary2_instance(std::span<const LatticeSegment> segments);
 
 }  // namespace thalweg

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/pits.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
@@ -150,8 +150,8 @@ struct Minimized {
 /// culprits. Complexity: O(n log n) for the Delaunay triangulation, then in the number of pits and k, not in
 /// n; Method::exact is exponential in the worst case, which options.time_limit cuts off. Source: de Kok, van
 /// Kreveld, Loeffler, sections 3 and 4, for flip and hull; best and exact are our own.
-THALWEG_API Result<Minimized> minimize_pits(std::span<const Point3> points,
-                                            const MinimizeOptions& options = {});
+THALWEG_EXPORT Result<Minimized> minimize_pits(std::span<const Point3> points,
+                                               const MinimizeOptions& options = {});
 
 /// Pits at one order, by every method: a row of the paper's Table 1.
 struct SweepRow {
@@ -173,7 +173,7 @@ struct Sweep {
 /// runs have in common. Uses duplicates, threads, progress and cancel of the options. Errors: as
 /// minimize_pits; invalid_argument if first > last, or for more than a million orders. Complexity: as
 /// minimize_pits by the three methods for each order, but for one Delaunay triangulation in all.
-THALWEG_API Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
-                                     const MinimizeOptions& options = {});
+THALWEG_EXPORT Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
+                                        const MinimizeOptions& options = {});
 
 }  // namespace thalweg

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/id.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
@@ -57,7 +57,7 @@ struct Box {
 /// of them along an unbounded cell. The other side of edges at infinity, the outside, is no cell. Every
 /// vertex has three edges. Requires, of every id handed in: it is one of this diagram. Complexity: O(1) where
 /// nothing else is said.
-class THALWEG_API OrderKVoronoi {
+class THALWEG_EXPORT OrderKVoronoi {
  public:
   /// k.
   unsigned order() const noexcept { return order_; }
@@ -204,7 +204,7 @@ class THALWEG_API OrderKVoronoi {
 /// if ids do not suffice (half-edges: beyond about 358e6 / k points). Complexity: O(k^2 n + n log n)
 /// expected; memory per site about 8 k^2 + 260 k bytes, and 415 k at the peak. Source: Lee 1982, the
 /// iteration over orders; see src/order/voronoi_map.hpp and voronoi_hole.hpp.
-THALWEG_API Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k,
-                                                  const OrderKVoronoiOptions& options = {});
+THALWEG_EXPORT Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k,
+                                                     const OrderKVoronoiOptions& options = {});
 
 }  // namespace thalweg

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/triangulation.hpp"
 
 namespace thalweg {
@@ -21,7 +21,7 @@ struct PitCount {
 
 /// The pits of a terrain: maximal sets of vertices of equal z joined by edges, none of which has a strictly
 /// lower neighbour. A lake is one pit; a flat shelf that drains is none.
-class THALWEG_API Pits {
+class THALWEG_EXPORT Pits {
  public:
   /// The number of pits.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(boundary_.size()); }
@@ -46,6 +46,6 @@ class THALWEG_API Pits {
 /// The pits of `terrain` with elevation z[v] at vertex v, ordered by their first vertex. Isolated vertices
 /// are no part of the terrain. Requires: z.size() == vertex_count(). Complexity: O(n). Source: the paper's
 /// local minimum (de Kok, van Kreveld, Loeffler, section 1), taken of whole flats.
-THALWEG_API Pits find_pits(const Triangulation& terrain, std::span<const double> z);
+THALWEG_EXPORT Pits find_pits(const Triangulation& terrain, std::span<const double> z);
 
 }  // namespace thalweg

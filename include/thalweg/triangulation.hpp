@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/id.hpp"
 
 namespace thalweg {
@@ -31,7 +31,7 @@ using Triangle = std::array<VertexId, 3>;
 /// Vertices, and triangles that join them; not where they are. `const` is safe for concurrent readers.
 /// Requires, of every id handed in: valid, and one of this triangulation. Complexity: O(1) where nothing else
 /// is said.
-class THALWEG_API Triangulation {
+class THALWEG_EXPORT Triangulation {
  public:
   /// No vertices and no triangles.
   Triangulation() = default;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "thalweg/circle_count.hpp"
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 
 namespace thalweg {
 
@@ -22,18 +22,18 @@ struct UsefulPair {
 /// open segment. Requires: u and v distinct, neither isolated. Exact. Complexity: O(degree + crossed edges +
 /// limit), crossed edges at most about 2 limit unless sites are cocircular. Source: Gudmundsson, Hammar, van
 /// Kreveld 2002, Lemma 5 and after; stated for degenerate position in src/order/.
-THALWEG_API std::optional<unsigned> useful_order(const DelaunayGraph& graph, CircleCounter& counter,
-                                                 VertexId u, VertexId v, unsigned limit);
+THALWEG_EXPORT std::optional<unsigned> useful_order(const DelaunayGraph& graph, CircleCounter& counter,
+                                                    VertexId u, VertexId v, unsigned limit);
 
 /// All pairs of useful order at most k that contain p, as {p, q, order}, ordered by q. Exact. Degenerate:
 /// none for an isolated vertex. Complexity: independent of the number of sites: of the order of k^2.7 steps
 /// for sites in general position.
-THALWEG_API std::vector<UsefulPair> useful_pairs_from(const DelaunayGraph& graph, VertexId p, unsigned k);
+THALWEG_EXPORT std::vector<UsefulPair> useful_pairs_from(const DelaunayGraph& graph, VertexId p, unsigned k);
 
 /// All pairs of useful order at most k, each once with u < v, sorted. Uniform sites have about 3.53 n, 4.09
 /// n, 4.96 n, 6.17 n pairs of useful order at most 1, 2, 4, 8. Exact. The result does not depend on `threads`
 /// (0 = all of the machine). Complexity: n times that of useful_pairs_from, and sorting.
-THALWEG_API std::vector<UsefulPair> useful_pairs(const DelaunayGraph& graph, unsigned k,
-                                                 unsigned threads = 1);
+THALWEG_EXPORT std::vector<UsefulPair> useful_pairs(const DelaunayGraph& graph, unsigned k,
+                                                    unsigned threads = 1);
 
 }  // namespace thalweg

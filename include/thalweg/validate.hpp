@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "thalweg/export.h"
+#include "thalweg/export.hpp"
 #include "thalweg/point.hpp"
 
 namespace thalweg {
@@ -27,7 +27,7 @@ enum class FaultKind {
 };
 
 /// The name of a kind as users read it: "index out of range", ... Never null.
-THALWEG_API const char* fault_name(FaultKind kind) noexcept;
+THALWEG_EXPORT const char* fault_name(FaultKind kind) noexcept;
 
 /// One kind of fault: how often it was found, and the first few places.
 struct Fault {
@@ -40,7 +40,7 @@ struct Fault {
 /// a counter-clockwise triangulation of all points, covering their convex hull. Exact. Requires: finite
 /// coordinates. Complexity: O(m log m) for a sound mesh; a broken one costs more, bounded by the number of
 /// faults looked at (counting stops at a million of a kind).
-THALWEG_API std::vector<Fault> find_faults(std::span<const Point2> points,
-                                           std::span<const std::array<std::uint32_t, 3>> triangles);
+THALWEG_EXPORT std::vector<Fault> find_faults(std::span<const Point2> points,
+                                              std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace thalweg
