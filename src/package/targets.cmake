@@ -15,3 +15,13 @@ if(THALWEG_TAR)
               -P ${CMAKE_CURRENT_LIST_DIR}/release.cmake
       COMMENT "Packing release/thalweg-${PROJECT_VERSION}.tar.gz" VERBATIM)
 endif()
+
+# The target `reference`, and a test: the headers must say everything.
+find_program(THALWEG_DOXYGEN doxygen)
+mark_as_advanced(THALWEG_DOXYGEN)
+if(THALWEG_DOXYGEN)
+  set(reference_output ${PROJECT_BINARY_DIR}/reference)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${reference_output}/Doxyfile @ONLY)
+  add_custom_target(reference COMMAND ${THALWEG_DOXYGEN} ${reference_output}/Doxyfile
+                    COMMENT "Writing reference/html/index.html" VERBATIM)
+endif()

@@ -1,6 +1,6 @@
-# Flags that ask for fused multiply-adds do not get them, neither from the two files nor from the sources themselves: the
-# pragmas forbid it. Without the pragmas they would: else this test could not fail. For x86-64, and two sources, which is
-# where the arithmetic is; clang++ takes no pragma's word under an explicit -ffp-contract=fast, so it is asked by default.
+# Flags that ask for fused multiply-adds do not get them, neither from the two files nor from the sources themselves:
+# the pragmas forbid it. Without the pragmas they would: else this test could not fail. For x86-64, and the sources in
+# which most of the arithmetic is. Under an explicit -ffp-contract=fast clang++ heeds no pragma, so it gets none.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -19,8 +19,8 @@ function(count_fused file out)
 endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
-run(ignored ${CMAKE_COMMAND} -D ROOT=${SOURCE} -D OUTPUT=${SCRATCH} -D VERSION=${VERSION} -D SOURCES=kernel/predicates.cpp,kernel/predicates_exact.cpp
-            -P ${SOURCE}/src/package/amalgamate.cmake)
+run(ignored ${CMAKE_COMMAND} -D ROOT=${SOURCE} -D OUTPUT=${SCRATCH} -D VERSION=${VERSION}
+            -D SOURCES=kernel/predicates.cpp,kernel/predicates_exact.cpp -P ${SOURCE}/src/package/amalgamate.cmake)
 count_fused(${SCRATCH}/thalweg.cpp fused)
 expect("fused instructions of the two files" ${fused} 0)
 count_fused(${SOURCE}/src/kernel/predicates.cpp fused)

@@ -1,5 +1,5 @@
-# The archive of a release: the same bytes from copies of the checkout of different age, place and rights, and in it what
-# belongs there. SOURCES are the library's, relative to src.
+# The archive of a release: the same bytes from copies of the checkout of different age, place and rights, and in it
+# what belongs there. SOURCES are the library's, relative to src.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -15,10 +15,11 @@ file(TOUCH "${SCRATCH}/another place/LICENSE")
 file(CHMOD "${SCRATCH}/another place/README.md" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 pack("${SCRATCH}/another place" second)
 
-set(archive thalweg-${VERSION}.tar.gz)
+set(name thalweg-${VERSION})
+set(archive ${name}.tar.gz)
 file(SHA256 ${SCRATCH}/first/${archive} first)
 file(SHA256 ${SCRATCH}/second/${archive} second)
 expect("the archive made again" ${second} ${first})
 run(listing ${TAR} -tzf ${SCRATCH}/first/${archive})
 expect("what is in the archive" "${listing}"
-       "thalweg-${VERSION}/\nthalweg-${VERSION}/LICENSE\nthalweg-${VERSION}/README.md\nthalweg-${VERSION}/thalweg.cpp\nthalweg-${VERSION}/thalweg.hpp\n")
+       "${name}/\n${name}/LICENSE\n${name}/README.md\n${name}/thalweg.cpp\n${name}/thalweg.hpp\n")
