@@ -77,7 +77,8 @@ std::string entry(const CLI::Option& option) {
 /// The arguments of a command first, as on its command line.
 Options options_of(const CLI::App& app) {
   Options options = app.get_options();
-  std::ranges::stable_partition(options, [](const CLI::Option* o) { return o->get_positional(); });
+  std::stable_partition(options.begin(), options.end(),
+                        [](const CLI::Option* o) { return o->get_positional(); });
   return options;
 }
 
