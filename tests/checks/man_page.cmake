@@ -1,5 +1,5 @@
-# The manual page PAGE names every command and option that COMMAND --help names, and its VERSION; GROFF, where there is
-# one, formats it without a warning.
+# The manual page PAGE names every command and option that COMMAND --help names, and VERSION, which COMMAND --version
+# says too; GROFF, where there is one, formats it without a warning.
 cmake_minimum_required(VERSION 3.22)
 
 function(run out)
@@ -20,6 +20,10 @@ function(expect_in_page what)
 endfunction()
 
 expect_in_page("thalweg ${VERSION}")
+run(version ${COMMAND} --version)
+if(NOT version STREQUAL "thalweg ${VERSION}\n")
+  message(FATAL_ERROR "${COMMAND} --version says ${version}")
+endif()
 run(help ${COMMAND} --help)
 string(REGEX REPLACE ".*\nSubcommands:\n" "" commands "${help}")
 string(REGEX REPLACE "\n\n.*" "" commands "${commands}")
