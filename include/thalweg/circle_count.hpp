@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/array.hpp"
 #include "thalweg/export.hpp"
 #include "thalweg/order_k_voronoi.hpp"
 #include "thalweg/point.hpp"
@@ -44,8 +45,8 @@ class THALWEG_EXPORT DelaunayGraph {
  private:
   std::span<const Point2> sites_;
   const Triangulation* delaunay_;
-  std::vector<std::uint32_t> starts_;
-  std::vector<VertexId> neighbors_;
+  detail::Array<std::uint32_t> starts_;
+  detail::Array<VertexId> neighbors_;
   const OrderKVoronoi* voronoi_ = nullptr;
 };
 
@@ -80,7 +81,7 @@ class THALWEG_EXPORT CircleCounter {
 
   const DelaunayGraph* graph_;
   std::optional<VoronoiCounter> located_;
-  std::vector<std::uint32_t> stamp_;
+  detail::Array<std::uint32_t> stamp_;
   std::vector<VertexId> queue_;  // a corner, then the sites found inside
   std::vector<VertexId> fresh_;  // neighbours that were not met before
   std::uint32_t epoch_ = 0;

@@ -17,29 +17,29 @@ namespace {
 constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 31;  ///< of comparing two boxes: seconds
 constexpr std::uint64_t kStepsOfTest = 32;                    ///< what an exact test costs in these
 
-struct Box {
+struct ItemBox {
   double min_x, max_x, min_y, max_y;
   std::uint32_t item;
 };
 
 template <class... Points>
-Box box_of(std::uint32_t item, Points... p) {
+ItemBox box_of(std::uint32_t item, Points... p) {
   return {std::min({p.x...}), std::max({p.x...}), std::min({p.y...}), std::max({p.y...}), item};
 }
 
 /// Calls visit(lower item, higher item) for pairs of touching boxes. Returns whether all were visited: it
 /// stops when `visit` returns false or there have been too many steps.
 template <class Visit>
-bool sweep(std::vector<Box> boxes, Visit&& visit) {
-  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
+bool sweep(std::vector<ItemBox> boxes, Visit&& visit) {
+  std::sort(boxes.begin(), boxes.end(), [](const ItemBox& a, const ItemBox& b) {
     return a.min_x != b.min_x ? a.min_x < b.min_x : a.item < b.item;
   });
   std::uint64_t steps = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box a = boxes[i];
+    const ItemBox a = boxes[i];
     std::size_t j = i + 1;
     for (; j < boxes.size() && boxes[j].min_x <= a.max_x; ++j) {
-      const Box& b = boxes[j];
+      const ItemBox& b = boxes[j];
       if (b.min_y > a.max_y || b.max_y < a.min_y) continue;
       if (!visit(std::min(a.item, b.item), std::max(a.item, b.item))) return false;
       steps += kStepsOfTest;
@@ -137,7 +137,7 @@ void FaultSearch::find_crossings() {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
-  std::vector<Box> boxes;
+  std::vector<ItemBox> boxes;
   boxes.reserve(mesh_.edges.size() + places.size());
   for (std::uint32_t i = 0; i < edge_count; ++i) {
     boxes.push_back(box_of(i, mesh_.points[mesh_.edges[i].from], mesh_.points[mesh_.edges[i].to]));
@@ -176,7 +176,7 @@ void FaultSearch::find_overlaps_and_holes() {
     queries.push_back({e.to, e.from, false, i});
   }
 
-  std::vector<Box> boxes;
+  std::vector<ItemBox> boxes;
   boxes.reserve(mesh_.corners.size() + queries.size());
   for (std::uint32_t i = 0; i < triangle_count; ++i) {
     const Corners& t = mesh_.corners[i];

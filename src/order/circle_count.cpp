@@ -15,7 +15,6 @@
 #include <algorithm>
 
 #include "kernel/assert.hpp"
-#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 #include "order/circle_plane.hpp"
 
@@ -25,18 +24,17 @@ DelaunayGraph::DelaunayGraph(std::span<const Point2> sites, const Triangulation&
     : sites_(sites), delaunay_(&delaunay) {
   THALWEG_ASSERT(sites.size() == delaunay.vertex_count());
   const std::uint32_t count = delaunay.vertex_count();
-  starts_ = detail::large_vector<std::uint32_t>(count + std::size_t{1});
+  starts_.resize(count + std::size_t{1});
+  starts_[0] = 0;
   // Every edge once from each of its half-edges, and a hull edge once more from its only one.
   neighbors_.reserve(delaunay.halfedge_count() + std::size_t{count} / 16);
-  detail::prefer_huge_pages(neighbors_.data(), neighbors_.capacity() * sizeof(VertexId));
   for (std::uint32_t i = 0; i < count; ++i) {
     delaunay.for_each_neighbor(VertexId(i), [&](VertexId v) { neighbors_.push_back(v); });
     starts_[i + 1] = static_cast<std::uint32_t>(neighbors_.size());
   }
 }
 
-CircleCounter::CircleCounter(const DelaunayGraph& graph)
-    : graph_(&graph), stamp_(detail::large_vector<std::uint32_t>(graph.sites().size())) {
+CircleCounter::CircleCounter(const DelaunayGraph& graph) : graph_(&graph), stamp_(graph.sites().size(), 0u) {
   if (graph.voronoi() != nullptr) located_.emplace(*graph.voronoi());
 }
 

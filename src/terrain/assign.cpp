@@ -22,7 +22,7 @@ constexpr std::uint32_t kNoOwner = 0xffffffffu;
 Outcome insert_all(const Surface& surface, const Units& units, std::span<const std::uint32_t> chosen,
                    const Watch& watch, std::vector<std::uint32_t>* owner = nullptr) {
   Outcome outcome;
-  outcome.triangulation = surface.delaunay();
+  outcome.triangulation = Triangulation::revision_of(surface.delaunay());
   if (owner != nullptr) owner->assign(outcome.triangulation.face_count(), kNoOwner);
   EdgeInsertion insertion;
   for (const std::uint32_t e : chosen) {
@@ -59,7 +59,11 @@ bool is_of_order(const Surface& surface, unsigned k, Outcome& outcome) {
 class UneasyPairs {
  public:
   UneasyPairs(const Surface& surface, const Plan& plan, unsigned k)
-      : surface_(surface), plan_(plan), k_(k), counter_(surface.graph()), work_(surface.delaunay()) {}
+      : surface_(surface),
+        plan_(plan),
+        k_(k),
+        counter_(surface.graph()),
+        work_(Triangulation::revision_of(surface.delaunay())) {}
 
   std::vector<ExitPair> find() {
     auto pairs = meeting_pairs(surface_, plan_.units.exits).value_or(std::vector<ExitPair>());

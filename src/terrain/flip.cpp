@@ -87,6 +87,7 @@ class FlipRun {
         rank_(surface.ranks()),
         ledger_(surface),
         buckets_(k + std::size_t{1}) {
+    // A copy: on rough ground flips touch nearly every stretch of a revision.
     outcome_.triangulation = surface.delaunay();
     for (unsigned i = 0; i < watch.threads; ++i) counters_.emplace_back(surface.graph());
   }
