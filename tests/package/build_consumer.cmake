@@ -37,7 +37,7 @@ endfunction()
 function(check_exports library)
   run(table nm -D --defined-only --demangle ${library})
   string(REGEX MATCHALL "[^\n]+" lines "${table}")
-  list(FILTER lines EXCLUDE REGEX " T thalweg::")
+  list(FILTER lines EXCLUDE REGEX " [TRVu] thalweg::")  # functions, and constants of classes
   string(REGEX MATCHALL "[^\n]*(detail|anonymous)[^\n]*" inner "${table}")
   list(FILTER inner EXCLUDE REGEX "detail::(de)?allocate_array")  # which the headers call
   expect("names that a shared library should hide" "${lines}${inner}" "")
