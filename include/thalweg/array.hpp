@@ -6,12 +6,16 @@
 #include <new>
 #include <vector>
 
+#include "thalweg/export.hpp"
+
 namespace thalweg::detail {
 
-/// Memory of so many bytes, in large pages where the system has them and it matters: touching it for the
-/// first time is then several times cheaper, and so is reaching far into it. Throws std::bad_alloc.
-void* allocate_array(std::size_t bytes);
-void deallocate_array(void* memory) noexcept;
+/// Memory of so many elements of so many bytes, in large pages where the system has them and it matters:
+/// touching it for the first time is then several times cheaper, and so is reaching far into it. Throws
+/// std::bad_alloc: out of line, so that users may compile without exceptions.
+THALWEG_EXPORT void* allocate_array(std::size_t count, std::size_t size);
+/// Gives it back.
+THALWEG_EXPORT void deallocate_array(void* memory) noexcept;
 
 /// An allocator for std::vector under which elements that are not given are default-initialised: numbers have
 /// no value yet.
@@ -23,10 +27,7 @@ struct UninitializedAllocator {
   template <class U>
   UninitializedAllocator(const UninitializedAllocator<U>&) noexcept {}
 
-  T* allocate(std::size_t count) {
-    if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
-    return static_cast<T*>(allocate_array(count * sizeof(T)));
-  }
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_array(count, sizeof(T))); }
   void deallocate(T* memory, std::size_t) noexcept { deallocate_array(memory); }
 
   template <class U>

@@ -31,7 +31,9 @@ void prefer_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t
 
 }  // namespace
 
-void* allocate_array(std::size_t bytes) {
+void* allocate_array(std::size_t count, std::size_t size) {
+  if (count > static_cast<std::size_t>(-1) / size) throw std::bad_array_new_length();
+  const std::size_t bytes = count * size;
   void* memory = ::operator new(bytes);
   prefer_huge_pages(memory, bytes);
   return memory;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t kNone = HalfedgeId::kInvalid;
 
 /// What a thread takes at a time.
-constexpr std::uint32_t kChunk = 1u << 16;
+constexpr std::uint32_t kRowChunk = 1u << 16;
 
 /// Whether there is no triangle: then, and only then, the hull runs to and fro and ghosts have ghosts behind
 /// them.
@@ -104,7 +104,7 @@ Triangulation without_ghosts(GhostedTriangulation mesh, unsigned threads) {
   const std::vector<std::uint32_t> ghosts = cut_off_ghosts(mesh);
   const auto face_count = static_cast<std::uint32_t>(mesh.origin.size() / 4 - ghosts.size());
   fill_holes(mesh, ghosts, face_count);
-  const std::size_t parts = parts_of(face_count, kChunk, threads);
+  const std::size_t parts = parts_of(face_count, kRowChunk, threads);
   Array<std::uint32_t> origin = packed(mesh.origin, face_count, parts, [](std::uint32_t v) { return v; });
   mesh.origin = {};
   Array<std::uint32_t> twin =
@@ -135,7 +135,7 @@ Result<GhostedTriangulation> triangulate(std::span<const Point2> sites, std::spa
 /// adding up keeps a NaN.)
 std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsigned threads) {
   std::atomic<bool> all_finite{true};
-  parallel_chunks(points.size(), kChunk, threads, [&] {
+  parallel_chunks(points.size(), kRowChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       double x = 0, y = 0;
       for (std::size_t i = begin; i < end; ++i) {
@@ -157,7 +157,7 @@ std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsig
 Array<Point2> gathered(std::span<const Point2> points, std::span<const std::uint32_t> rows,
                        unsigned threads) {
   Array<Point2> sites(rows.size());
-  parallel_chunks(rows.size(), kChunk, threads, [&] {
+  parallel_chunks(rows.size(), kRowChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) sites[i] = points[rows[i]];
     };

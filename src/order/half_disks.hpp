@@ -72,8 +72,8 @@ class HalfDisks {
         const double edge = near_.square[i] + kUnderflowMargin;
         const bool in_both =
             (x * a.x + y * a.y > edge + size * size_a) & (x * b.x + y * b.y > edge + size * size_b);
-        on_left += in_both & (left.x * y - left.y * x > size * size_left + kUnderflowMargin) ? 1 : 0;
-        on_right += in_both & (x * right.y - y * right.x > size * size_right + kUnderflowMargin) ? 1 : 0;
+        on_left += (in_both & (left.x * y - left.y * x > size * size_left + kUnderflowMargin)) ? 1 : 0;
+        on_right += (in_both & (x * right.y - y * right.x > size * size_right + kUnderflowMargin)) ? 1 : 0;
       }
       if ((on_left > 0 && on_right > k) || (on_right > 0 && on_left > k)) return true;
     }

@@ -14,7 +14,7 @@
 namespace thalweg::detail {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoOwner = 0xffffffffu;
 
 /// The constrained Delaunay triangulation with the chosen exits. Inserting them one after another gives it: a
 /// sleeve crosses no earlier exit, and a constrained Delaunay triangulation changes only within the sleeve of
@@ -23,7 +23,7 @@ Outcome insert_all(const Surface& surface, const Units& units, std::span<const s
                    const Watch& watch, std::vector<std::uint32_t>* owner = nullptr) {
   Outcome outcome;
   outcome.triangulation = Triangulation::revision_of(surface.delaunay());
-  if (owner != nullptr) owner->assign(outcome.triangulation.face_count(), kNone);
+  if (owner != nullptr) owner->assign(outcome.triangulation.face_count(), kNoOwner);
   EdgeInsertion insertion;
   for (const std::uint32_t e : chosen) {
     const Exit& exit = units.exits[e].exit;
@@ -110,7 +110,7 @@ std::vector<std::vector<RequiredEdge>> offending_groups(const Surface& surface, 
   std::vector<std::uint8_t> offends(exits.size(), 0);
   CircleCounter counter(surface.graph());
   for (const FaceId f : changed_faces(surface, outcome.triangulation)) {
-    if (owner[f.index()] == kNone || counter.order_at_most(k, outcome.triangulation.corners(f))) continue;
+    if (owner[f.index()] == kNoOwner || counter.order_at_most(k, outcome.triangulation.corners(f))) continue;
     const auto place = std::lower_bound(chosen.begin(), chosen.end(), owner[f.index()]) - chosen.begin();
     offends[groups.find(static_cast<std::uint32_t>(place))] = 1;
   }
