@@ -1,4 +1,4 @@
-/// thalweg for C and for everything that can call C.
+/// thalweg for C and for everything that can call C: all of it in this one header, long as that makes it.
 ///
 /// What holds for every function here:
 ///
@@ -67,7 +67,7 @@ enum {
 };
 
 #define THALWEG_ERROR_ROWS 16
-#define THALWEG_ERROR_MESSAGE 400
+#define THALWEG_ERROR_MESSAGE 412
 
 /// Why a call failed. Owned by the caller, no part of it is to be freed. A successful call leaves it empty:
 /// status 0, no rows, message "". Set `struct_size` before the first call; the rest need not be set.

@@ -21,6 +21,8 @@ static_assert(THALWEG_OUTPUT_REFUSED == static_cast<int>(ExitCode::output));
 static_assert(THALWEG_CANCELLED == static_cast<int>(ExitCode::interrupted));
 
 constexpr std::size_t kErrorSize = covers(&thalweg_error::message, offsetof(thalweg_error, message));
+static_assert(kErrorSize == sizeof(thalweg_error),
+              "what is added next must not lie in older callers' padding");
 
 std::int32_t code_of(ErrorCode code) noexcept {
   switch (code) {

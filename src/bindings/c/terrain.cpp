@@ -19,6 +19,7 @@ static_assert(THALWEG_STEP_INSERTION == static_cast<int>(TrailStep::Kind::insert
 // The last member of the first version.
 constexpr std::size_t kSummarySize =
     covers(&thalweg_summary::seconds_minimize, offsetof(thalweg_summary, seconds_minimize));
+static_assert(kSummarySize == sizeof(thalweg_summary), "no padding at the end, see guard.cpp");
 
 thalweg_pit_count to_c(const PitCount& count) noexcept {
   return {count.total, count.interior, count.boundary};
