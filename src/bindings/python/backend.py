@@ -9,6 +9,7 @@ import csv
 import hashlib
 import io
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -30,13 +31,7 @@ def version():
 
 def library_name():
     """What the shared library is called inside the package; the loader in thalweg/_abi.py looks for it."""
-    return {"Windows": "thalweg_c.dll", "Darwin": "libthalweg_c.dylib"}.get(_system(), "libthalweg_c.so")
-
-
-def _system():
-    import platform
-
-    return platform.system()
+    return {"Windows": "thalweg_c.dll", "Darwin": "libthalweg_c.dylib"}.get(platform.system(), "libthalweg_c.so")
 
 
 def metadata():

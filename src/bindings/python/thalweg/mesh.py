@@ -99,7 +99,7 @@ class Fault(NamedTuple):
     """A kind of fault of a mesh."""
 
     kind: str
-    """ "hole", "clockwise", "crossing", ..."""
+    """In words: "hole", "clockwise triangle", ..."""
     count: int
     """How often it was found; counting stops at a million."""
     examples: tuple[str, ...]
