@@ -25,7 +25,7 @@ def draw(axes, terrain, title):
     if len(changed):
         axes.triplot(x, y, changed, color="tab:red", linewidth=0.4)
     pits = terrain.pits["vertex"]
-    axes.plot(x[pits], y[pits], "o", color="tab:blue", markersize=3)
+    axes.plot(x[pits], y[pits], "o", color="magenta", markeredgecolor="black", markersize=4)
     axes.set_title(f"{title}: {len(terrain.pits)} pits")
     axes.set_aspect("equal")
     axes.set_axis_off()
