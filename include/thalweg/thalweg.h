@@ -35,6 +35,8 @@
 extern "C" {
 #endif
 
+// NOLINTBEGIN: the names and idioms of C
+
 /// "No vertex", "no triangle", "no order": the id that nothing has. As a signed 32-bit number it is -1.
 #define THALWEG_NONE UINT32_C(0xffffffff)
 
@@ -522,6 +524,8 @@ THALWEG_API thalweg_status thalweg_voronoi_polygon(const thalweg_voronoi* vorono
 
 /// Frees it. Null is ignored.
 THALWEG_API void thalweg_voronoi_free(thalweg_voronoi* voronoi);
+
+// NOLINTEND
 
 #ifdef __cplusplus
 }

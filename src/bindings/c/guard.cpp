@@ -20,7 +20,7 @@ static_assert(THALWEG_OUT_OF_MEMORY == static_cast<int>(ExitCode::resources));
 static_assert(THALWEG_OUTPUT_REFUSED == static_cast<int>(ExitCode::output));
 static_assert(THALWEG_CANCELLED == static_cast<int>(ExitCode::interrupted));
 
-constexpr std::size_t kErrorSize = covers(&thalweg_error::message, offsetof(thalweg_error, message));
+constexpr std::size_t kErrorSize = offsetof(thalweg_error, message) + sizeof(thalweg_error::message);
 static_assert(kErrorSize == sizeof(thalweg_error),
               "what is added next must not lie in older callers' padding");
 

@@ -26,8 +26,7 @@ static_assert(THALWEG_COUNTER_CRAWL == static_cast<int>(Counter::crawl));
 static_assert(THALWEG_COUNTER_VORONOI == static_cast<int>(Counter::voronoi));
 
 // The last member of the first version.
-constexpr std::size_t kOptionsSize =
-    covers(&thalweg_build_options::cancel, offsetof(thalweg_build_options, cancel));
+constexpr std::size_t kOptionsSize = offsetof(thalweg_build_options, cancel) + sizeof(void*);
 static_assert(kOptionsSize == sizeof(thalweg_build_options), "no padding at the end, see guard.cpp");
 
 thalweg_build_options defaults() noexcept {

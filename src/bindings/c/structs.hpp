@@ -6,16 +6,10 @@
 
 namespace thalweg::bindings {
 
-/// The size of the struct that ends with this member: the smallest `struct_size` of the version that it was
-/// the last member of.
-template <class Struct, class Member>
-constexpr std::size_t covers(Member Struct::*, std::size_t offset) noexcept {
-  return offset + sizeof(Member);
-}
-
 /// No struct will ever be larger: a size beyond was never set.
 inline constexpr std::size_t kLargestStruct = 4096;
 
+/// Whether a caller can have set this size. `least` is that of the struct's first version.
 constexpr bool plausible_size(std::size_t size, std::size_t least) noexcept {
   return size >= least && size <= kLargestStruct;
 }

@@ -17,8 +17,7 @@ static_assert(THALWEG_STEP_FLIP == static_cast<int>(TrailStep::Kind::flip));
 static_assert(THALWEG_STEP_INSERTION == static_cast<int>(TrailStep::Kind::insertion));
 
 // The last member of the first version.
-constexpr std::size_t kSummarySize =
-    covers(&thalweg_summary::seconds_minimize, offsetof(thalweg_summary, seconds_minimize));
+constexpr std::size_t kSummarySize = offsetof(thalweg_summary, seconds_minimize) + sizeof(double);
 static_assert(kSummarySize == sizeof(thalweg_summary), "no padding at the end, see guard.cpp");
 
 thalweg_pit_count to_c(const PitCount& count) noexcept {

@@ -117,7 +117,7 @@ def test_check_names_faults():
     assert [fault.kind for fault in thalweg.check(square, [[0, 1, 2], [0, 3, 2]])][0] == "clockwise triangle"
     assert thalweg.check(square, [[0, 1, 2], [0, 2, -1]])[0].kind == "index out of range"
     assert thalweg.check(square, np.array([[0, 1, 2], [0, 2, 2**40]]))[0].kind == "index out of range"
-    assert thalweg.check(square, [])[0].count > 0
+    assert thalweg.check(square, [])[0].occurrences > 0
 
 
 def test_triangle_orders_of_loose_triangles():

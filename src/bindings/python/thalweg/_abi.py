@@ -213,4 +213,4 @@ def make(function: Any, *arguments: Any) -> c_void_p:
 
 
 def library_version() -> str:
-    return lib.version().decode()
+    return str(lib.version().decode())

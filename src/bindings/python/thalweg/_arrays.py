@@ -14,7 +14,7 @@ MOST = 2**31 - 1
 
 def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """C-contiguous float64. Raises TypeError for what are no real numbers, ValueError for masked elements."""
-    if np.ma.is_masked(values):
+    if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():  # type: ignore[no-untyped-call]
         raise ValueError(f"{name} has masked elements: leave them out")
     array = np.asarray(values)
     if array.dtype.kind not in "fiub":

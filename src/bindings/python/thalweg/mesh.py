@@ -13,7 +13,7 @@ from ._abi import VERIFICATION, call, lib, make, new_error, raise_for
 from ._arrays import address
 
 if TYPE_CHECKING:
-    from matplotlib.tri import Triangulation
+    from matplotlib.tri import Triangulation  # type: ignore[import]
 
 
 class Mesh:
@@ -100,7 +100,7 @@ class Fault(NamedTuple):
 
     kind: str
     """In words: "hole", "clockwise triangle", ..."""
-    count: int
+    occurrences: int
     """How often it was found; counting stops at a million."""
     examples: tuple[str, ...]
     """Up to five places, in words."""

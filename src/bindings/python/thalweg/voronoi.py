@@ -60,7 +60,8 @@ class OrderKVoronoi:
 
     def locate(self, places: ArrayLike) -> NDArray[np.int32]:
         """The cell that holds each place, int32 (q,), or () for one place (2,). Ties as in `query`."""
-        return self._ask(lib.voronoi_locate, places, 1)[..., 0]
+        cells: NDArray[np.int32] = self._ask(lib.voronoi_locate, places, 1)[..., 0]
+        return cells
 
     def cell_sites(self, cell: int) -> NDArray[np.int32]:
         """The k points of a cell, int32 (k,), ascending. Raises ValueError if there is no such cell."""
@@ -94,7 +95,8 @@ class OrderKVoronoi:
         xy = _arrays.points2(array, "places")
         out = np.empty((len(xy), width), np.int32)
         call(function, self._handle, address(xy), len(xy), self._threads, address(out), out.size)
-        return out[0] if single else out
+        answer: NDArray[np.int32] = out[0] if single else out
+        return answer
 
     def __repr__(self) -> str:
         return f"<OrderKVoronoi: order {self._k}, {self.site_count} sites, {self.cell_count} cells>"
