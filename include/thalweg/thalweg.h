@@ -25,8 +25,10 @@
 
 #ifndef THALWEG_API
 #if defined(__GNUC__)
+/// What the shared library shows.
 #define THALWEG_API __attribute__((visibility("default")))
 #else
+/// What the shared library shows.
 #define THALWEG_API
 #endif
 #endif
@@ -45,7 +47,7 @@ extern "C" {
 /// How a call ended: 0 or why not. The numbers are the exit codes of the command `thalweg`.
 typedef int32_t thalweg_status;
 enum {
-  THALWEG_OK = 0,
+  THALWEG_OK = 0,              ///< done
   THALWEG_INTERNAL = 1,        ///< a bug of the library
   THALWEG_USAGE = 2,           ///< an argument that makes no sense
   THALWEG_BAD_INPUT = 3,       ///< points that are not finite, too few, all on one line, ...
@@ -57,18 +59,20 @@ enum {
 
 /// What exactly was wrong; 0 where the status says all.
 enum {
-  THALWEG_ERROR_NONE = 0,
-  THALWEG_ERROR_TOO_FEW_POINTS = 1,
-  THALWEG_ERROR_ALL_COLLINEAR = 2,
-  THALWEG_ERROR_NOT_FINITE = 3,
-  THALWEG_ERROR_DUPLICATE_POINTS = 4,
-  THALWEG_ERROR_TOO_MANY_POINTS = 5,
-  THALWEG_ERROR_INVALID_ARGUMENT = 6,
-  THALWEG_ERROR_INVALID_MESH = 7,
-  THALWEG_ERROR_CANCELLED = 8
+  THALWEG_ERROR_NONE = 0,              ///< none of these
+  THALWEG_ERROR_TOO_FEW_POINTS = 1,    ///< fewer distinct points than are needed
+  THALWEG_ERROR_ALL_COLLINEAR = 2,     ///< all points on one line
+  THALWEG_ERROR_NOT_FINITE = 3,        ///< a NaN or an infinity
+  THALWEG_ERROR_DUPLICATE_POINTS = 4,  ///< the same place twice where that is forbidden
+  THALWEG_ERROR_TOO_MANY_POINTS = 5,   ///< more than ids can number
+  THALWEG_ERROR_INVALID_ARGUMENT = 6,  ///< an argument that makes no sense
+  THALWEG_ERROR_INVALID_MESH = 7,      ///< triangles that are no triangulation
+  THALWEG_ERROR_CANCELLED = 8          ///< the caller asked to stop
 };
 
+/// How many rows a thalweg_error names at most.
 #define THALWEG_ERROR_ROWS 16
+/// The room for the message of a thalweg_error, its end included.
 #define THALWEG_ERROR_MESSAGE 412
 
 /// Why a call failed. Owned by the caller, no part of it is to be freed. A successful call leaves it empty:
@@ -169,8 +173,8 @@ THALWEG_API void thalweg_mesh_free(thalweg_mesh* mesh);
 
 /// Numbers of pits. Laws: total == interior + boundary.
 typedef struct thalweg_pit_count {
-  uint32_t total;
-  uint32_t interior;
+  uint32_t total;     ///< all pits
+  uint32_t interior;  ///< pits without a vertex on the convex hull
   uint32_t boundary;  ///< pits with a vertex on the convex hull
 } thalweg_pit_count;
 
@@ -214,12 +218,12 @@ enum {
 /// Which elevation a place takes that occurs in several rows. The row that stands for the place is a vertex
 /// of the mesh, the others are in no triangle.
 enum {
-  THALWEG_DUPLICATES_LOWEST = 0,
-  THALWEG_DUPLICATES_HIGHEST = 1,
-  THALWEG_DUPLICATES_MEAN = 2,  ///< the only policy that computes an elevation
-  THALWEG_DUPLICATES_FIRST = 3,
-  THALWEG_DUPLICATES_LAST = 4,
-  THALWEG_DUPLICATES_ERROR = 5  ///< BAD_INPUT
+  THALWEG_DUPLICATES_LOWEST = 0,   ///< the lowest of them
+  THALWEG_DUPLICATES_HIGHEST = 1,  ///< the highest
+  THALWEG_DUPLICATES_MEAN = 2,     ///< the only policy that computes an elevation
+  THALWEG_DUPLICATES_FIRST = 3,    ///< that of the first row
+  THALWEG_DUPLICATES_LAST = 4,     ///< that of the last row
+  THALWEG_DUPLICATES_ERROR = 5     ///< BAD_INPUT
 };
 
 /// How sites in circles are counted; the results are the same.
@@ -261,10 +265,10 @@ THALWEG_API thalweg_status thalweg_build(const double* xyz, size_t n, const thal
 
 /// What there is to tell of a terrain. May grow at its end as thalweg_build_options does.
 typedef struct thalweg_summary {
-  size_t struct_size;     ///< in: sizeof(thalweg_summary)
-  uint32_t vertex_count;  ///< the caller's points
-  uint32_t site_count;    ///< distinct places
-  uint32_t triangle_count;
+  size_t struct_size;               ///< in: sizeof(thalweg_summary)
+  uint32_t vertex_count;            ///< the caller's points
+  uint32_t site_count;              ///< distinct places
+  uint32_t triangle_count;          ///< of the mesh
   uint32_t max_order;               ///< of all triangles
   thalweg_pit_count delaunay_pits;  ///< before
   thalweg_pit_count pits;           ///< after
@@ -279,13 +283,13 @@ typedef struct thalweg_summary {
   uint32_t non_delaunay_edges;      ///< inner edges that are not locally Delaunay
   uint32_t reserved;                ///< 0
   uint64_t trail_count;             ///< steps kept
-  uint64_t flips;
-  uint64_t insertions;
-  uint64_t circle_counts;
-  double min_angle_before_deg;  ///< rounded, for reading only
-  double min_angle_after_deg;
-  double seconds_delaunay;
-  double seconds_minimize;
+  uint64_t flips;                   ///< edges flipped
+  uint64_t insertions;              ///< edges inserted
+  uint64_t circle_counts;           ///< circles whose points were counted
+  double min_angle_before_deg;      ///< rounded, for reading only
+  double min_angle_after_deg;       ///< the same of the result
+  double seconds_delaunay;          ///< for the Delaunay triangulation
+  double seconds_minimize;          ///< for all that followed
 } thalweg_summary;
 
 /// Fills the fields that summary->struct_size covers; set it before. Errors: USAGE. Complexity: O(pits +
@@ -318,46 +322,57 @@ typedef struct thalweg_remaining_pit {
 
 /// A pit of the Delaunay triangulation that is no more.
 typedef struct thalweg_removed_pit {
-  uint32_t vertex;
-  uint32_t vertices;
-  uint32_t boundary;
+  uint32_t vertex;    ///< the first of the pit in elevation order (z, x, y)
+  uint32_t vertices;  ///< how many it had
+  uint32_t boundary;  ///< 1 if it touched the hull, else 0
 } thalweg_removed_pit;
 
 /// A row that is in no triangle, and the row at the same place that is.
 typedef struct thalweg_merged_row {
-  uint32_t row;
-  uint32_t kept;
+  uint32_t row;   ///< in no triangle
+  uint32_t kept;  ///< in its stead
 } thalweg_merged_row;
 
 /// A row that stands for several, with the elevation that was used instead of its own.
 typedef struct thalweg_mean_elevation {
-  double z;
-  uint32_t row;
+  double z;           ///< the mean
+  uint32_t row;       ///< the row that has it
   uint32_t reserved;  ///< 0
 } thalweg_mean_elevation;
 
-enum { THALWEG_STEP_FLIP = 0, THALWEG_STEP_INSERTION = 1 };
+/// Kinds of changes.
+enum {
+  THALWEG_STEP_FLIP = 0,      ///< one diagonal of a quadrilateral for the other
+  THALWEG_STEP_INSERTION = 1  ///< an edge, and what it crosses made anew
+};
 
 /// One change on the way from the Delaunay triangulation to the result.
 typedef struct thalweg_trail_step {
-  int32_t kind;           ///< THALWEG_STEP_...
-  uint32_t order;         ///< of the flip's new triangles at most; the useful order of an inserted edge
-  uint32_t u, v;          ///< the edge that came; u drains over an inserted one
-  uint32_t old_u, old_v;  ///< the edge that went; THALWEG_NONE for insertions
-  uint32_t pit;           ///< first vertex of the pit that is gone by it, or THALWEG_NONE
+  int32_t kind;    ///< THALWEG_STEP_...
+  uint32_t order;  ///< of the flip's new triangles at most; the useful order of an inserted edge
+  uint32_t u;      ///< the edge that came; u drains over an inserted one
+  uint32_t v;      ///< its other end
+  uint32_t old_u;  ///< the edge that went; THALWEG_NONE for insertions
+  uint32_t old_v;  ///< its other end
+  uint32_t pit;    ///< first vertex of the pit that is gone by it, or THALWEG_NONE
 } thalweg_trail_step;
 
-/// Write remaining_count, removed_count, merged_count, mean_count, trail_count elements; the first four by
-/// vertex or row, the trail from the first step to the last. Errors: USAGE. Complexity: O(elements).
+/// Writes the pits that are left, by vertex: summary.remaining_count elements. Errors: USAGE. Complexity:
+/// O(elements), here and below.
 THALWEG_API thalweg_status thalweg_terrain_remaining(const thalweg_terrain* terrain,
                                                      thalweg_remaining_pit* pits, size_t capacity,
                                                      thalweg_error* error);
+/// Writes the pits that are no more, by vertex: summary.removed_count elements. Errors: USAGE.
 THALWEG_API thalweg_status thalweg_terrain_removed(const thalweg_terrain* terrain, thalweg_removed_pit* pits,
                                                    size_t capacity, thalweg_error* error);
+/// Writes the rows that were merged into others, by row: summary.merged_count elements. Errors: USAGE.
 THALWEG_API thalweg_status thalweg_terrain_merged(const thalweg_terrain* terrain, thalweg_merged_row* rows,
                                                   size_t capacity, thalweg_error* error);
+/// Writes the rows with a mean elevation, by row: summary.mean_count elements. Errors: USAGE.
 THALWEG_API thalweg_status thalweg_terrain_means(const thalweg_terrain* terrain, thalweg_mean_elevation* rows,
                                                  size_t capacity, thalweg_error* error);
+/// Writes the changes from the first to the last: summary.trail_count elements, none unless keep_trail was
+/// set. Errors: USAGE.
 THALWEG_API thalweg_status thalweg_terrain_trail(const thalweg_terrain* terrain, thalweg_trail_step* steps,
                                                  size_t capacity, thalweg_error* error);
 
@@ -366,12 +381,12 @@ THALWEG_API void thalweg_terrain_free(thalweg_terrain* terrain);
 
 /// Pits at one order, by every method.
 typedef struct thalweg_sweep_row {
-  uint32_t order;
-  uint32_t flip;
-  uint32_t hull;
-  uint32_t best;
-  uint32_t lower_bound;
-  uint32_t certified;  ///< 1 if best is proved to be the minimum, else 0
+  uint32_t order;        ///< k
+  uint32_t flip;         ///< pits left by the flip heuristic
+  uint32_t hull;         ///< pits left by the hull heuristic
+  uint32_t best;         ///< pits left by the best method
+  uint32_t lower_bound;  ///< no triangulation of this order has fewer
+  uint32_t certified;    ///< 1 if best is proved to be the minimum, else 0
 } thalweg_sweep_row;
 
 /// Writes the counts of pits for every order from `first` to `last`: last - first + 1 rows. Of the options
@@ -383,17 +398,18 @@ THALWEG_API thalweg_status thalweg_sweep(const double* xyz, size_t n, uint32_t f
 
 /* ---- Is it a triangulation? -------------------------------------------------------------------------- */
 
+/// Kinds of faults of a mesh.
 enum {
-  THALWEG_FAULT_INDEX_OUT_OF_RANGE = 0,
-  THALWEG_FAULT_DEGENERATE = 1,  ///< a triangle without area
-  THALWEG_FAULT_CLOCKWISE = 2,
-  THALWEG_FAULT_DUPLICATE_VERTEX = 3,  ///< two vertices at the same place
-  THALWEG_FAULT_UNUSED_VERTEX = 4,
-  THALWEG_FAULT_DUPLICATE_TRIANGLE = 5,
-  THALWEG_FAULT_NON_MANIFOLD = 6,
-  THALWEG_FAULT_CROSSING = 7,
-  THALWEG_FAULT_OVERLAP = 8,
-  THALWEG_FAULT_HOLE = 9  ///< part of the convex hull is not covered
+  THALWEG_FAULT_INDEX_OUT_OF_RANGE = 0,  ///< an id that no point has
+  THALWEG_FAULT_DEGENERATE = 1,          ///< a triangle without area
+  THALWEG_FAULT_CLOCKWISE = 2,           ///< a triangle that turns the wrong way
+  THALWEG_FAULT_DUPLICATE_VERTEX = 3,    ///< two vertices at the same place
+  THALWEG_FAULT_UNUSED_VERTEX = 4,       ///< a point in no triangle
+  THALWEG_FAULT_DUPLICATE_TRIANGLE = 5,  ///< the same three points twice
+  THALWEG_FAULT_NON_MANIFOLD = 6,        ///< three triangles at an edge, or several fans at a vertex
+  THALWEG_FAULT_CROSSING = 7,            ///< two edges that cross, or a vertex inside an edge
+  THALWEG_FAULT_OVERLAP = 8,             ///< two triangles that share area
+  THALWEG_FAULT_HOLE = 9                 ///< part of the convex hull is not covered
 };
 
 /// What is wrong with a mesh: one entry a kind of fault.
@@ -451,9 +467,9 @@ THALWEG_API thalweg_status thalweg_sites_useful_order(const thalweg_sites* sites
 
 /// A pair of points with its useful order.
 typedef struct thalweg_pair {
-  uint32_t u;
-  uint32_t v;
-  uint32_t order;
+  uint32_t u;      ///< the smaller id
+  uint32_t v;      ///< the larger id
+  uint32_t order;  ///< their useful order
 } thalweg_pair;
 
 /// Pairs of points.
@@ -471,8 +487,9 @@ THALWEG_API size_t thalweg_pairs_count(const thalweg_pairs* pairs);
 /// Writes them: count elements. Errors: USAGE. Complexity: O(count).
 THALWEG_API thalweg_status thalweg_pairs_get(const thalweg_pairs* pairs, thalweg_pair* out, size_t capacity,
                                              thalweg_error* error);
-/// Free them. Null is ignored.
+/// Frees them. Null is ignored.
 THALWEG_API void thalweg_pairs_free(thalweg_pairs* pairs);
+/// Frees them and their mesh. Null is ignored.
 THALWEG_API void thalweg_sites_free(thalweg_sites* sites);
 
 /* ---- Which k points are the nearest? ----------------------------------------------------------------- */
