@@ -122,8 +122,9 @@ typedef struct thalweg_cancel thalweg_cancel;
 
 /// A new request that is not made yet, or null if there is no memory. The caller frees it.
 THALWEG_API thalweg_cancel* thalweg_cancel_new(void);
-/// Makes the request: runs that were given it return THALWEG_CANCELLED as soon as they look (within
-/// milliseconds for most stages). May be called from any thread and from signal handlers. Null is ignored.
+/// Makes the request: runs that were given it return THALWEG_CANCELLED as soon as they look, which for a
+/// million points is a fraction of a second (THALWEG_COUNTER_VORONOI builds its diagram first). May be called
+/// from any thread and from signal handlers. Null is ignored.
 THALWEG_API void thalweg_cancel_request(thalweg_cancel* cancel);
 /// Takes it back, so that it can be used again. Null is ignored.
 THALWEG_API void thalweg_cancel_reset(thalweg_cancel* cancel);
