@@ -39,8 +39,8 @@ std::uint64_t estimate_build_memory(std::uint64_t points, Method method) noexcep
   // Measured, by the peak memory that --json reports.
   constexpr std::uint64_t kFixed = std::uint64_t{16} << 20;
   constexpr std::uint64_t kInput = 24;  // a point: three doubles
-  constexpr std::uint64_t kBest = 230;  // and delaunay, hull, exact
-  constexpr std::uint64_t kFlip = 300;
+  constexpr std::uint64_t kBest = 170;  // and delaunay, hull, exact
+  constexpr std::uint64_t kFlip = 308;
   return kFixed + points * (kInput + (method == Method::flip ? kFlip : kBest));
 }
 

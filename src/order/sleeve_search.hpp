@@ -33,9 +33,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/predicates_inline.hpp"
+#include "order/distinct_sites.hpp"
 #include "order/half_disks.hpp"
 #include "thalweg/circle_count.hpp"
 
@@ -98,8 +100,8 @@ class SleeveSearch {
     const Triangulation& t = graph_->delaunay();
     const VertexId a = t.origin(edge), b = t.dest(edge);
     at_p_ = graph_->point(p);
-    left_.assign(1, b);
-    right_.assign(1, a);
+    left_.restart(b);
+    right_.restart(a);
     branches_.clear();
     Cone cone{edge, ray_to(a), ray_to(b), true};
     for (;;) {
@@ -124,22 +126,22 @@ class SleeveSearch {
           }
           cone.edge = Triangulation::next(across);
           if (is_inside) cone.left = apex_;
-          add_distinct(left_, c);
+          left_.add(c);
           continue;
         }
         if (goes_left) {
           cone.edge = Triangulation::prev(across);
           if (is_inside) cone.right = apex_;
-          add_distinct(right_, c);
+          right_.add(c);
           continue;
         }
       }
       if (branches_.empty()) return false;
       const Branch& branch = branches_.back();
       cone = branch.cone;
-      left_.resize(branch.left);
-      right_.resize(branch.right);
-      add_distinct(right_, branch.passed);
+      left_.shrink(branch.left);
+      right_.shrink(branch.right);
+      right_.add(branch.passed);
       branches_.pop_back();
     }
   }
@@ -189,15 +191,10 @@ class SleeveSearch {
     return orient2d_unfiltered(graph_->point(from.site), graph_->point(to.site), at_p_);
   }
 
-  /// Whether a sleeve that passes c on this side may lead to a pair of order <= k.
-  static bool admits(const std::vector<VertexId>& side, VertexId c, bool cocircular, unsigned k) {
-    return cocircular || side.size() < k ||
-           (side.size() == k && std::find(side.begin(), side.end(), c) != side.end());
-  }
-
-  /// A sleeve can pass the same site twice on one side; only distinct ones count.
-  static void add_distinct(std::vector<VertexId>& side, VertexId v) {
-    if (std::find(side.begin(), side.end(), v) == side.end()) side.push_back(v);
+  /// Whether a sleeve that passes c on this side may lead to a pair of order <= k. It can pass the same site
+  /// twice on one side; only distinct ones count.
+  static bool admits(const DistinctSites& side, VertexId c, bool cocircular, unsigned k) {
+    return cocircular || side.size() < k || (side.size() == k && side.contains(c));
   }
 
   unsigned order_with(VertexId p, VertexId q, unsigned k) {
@@ -208,8 +205,7 @@ class SleeveSearch {
   /// The useful order of p, q, or k + 1 if more, from the sites of their sleeve left and right of p -> q.
   /// Requires: both sides not empty; p, q and they are not all on one empty circle.
   static unsigned pair_order(const DelaunayGraph& graph, CircleCounter& counter, VertexId p, VertexId q,
-                             const std::vector<VertexId>& left, const std::vector<VertexId>& right,
-                             unsigned k) {
+                             std::span<const VertexId> left, std::span<const VertexId> right, unsigned k) {
     const Point2 at_p = graph.point(p), at_q = graph.point(q);
     VertexId s = left[0];
     for (std::size_t i = 1; i < left.size(); ++i) {
@@ -233,7 +229,7 @@ class SleeveSearch {
   HalfDisks half_disks_;
   unsigned half_disks_from_;
   bool uses_half_disks_ = false;
-  std::vector<VertexId> left_, right_;
+  DistinctSites left_, right_;
   std::vector<Branch> branches_;
 };
 
