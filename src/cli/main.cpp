@@ -74,9 +74,9 @@ ExitCode run(int argc, char** argv, Console& console) {
   root.footer(kFooter);
   root.require_subcommand(1);
   root.set_version_flag("--version", version());
-  const std::vector<Command> commands = {add_build(root), add_check(root),  add_edges(root),
-                                         add_sweep(root), add_sample(root), add_generate(root),
-                                         add_info(root),  add_voronoi(root)};
+  const std::vector<Command> commands = {add_build(root), add_check(root),   add_edges(root),
+                                         add_sweep(root), add_sample(root),  add_generate(root),
+                                         add_info(root),  add_voronoi(root), add_report(root)};
   for (const Command& command : commands) command.app->set_version_flag("--version", version());
 
   const std::string word = argc > 1 ? argv[1] : "";
