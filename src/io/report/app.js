@@ -45,6 +45,56 @@ class State {
   }
 }
 
+// Paints both maps when they need it and can be painted in time; else shows the last pictures, moved, and paints once
+// the reader pauses.
+class Frames {
+  constructor() {
+    this.maps = [];
+    this.cost = 0;  // milliseconds that painting takes
+    this.stale = true;
+    this.waiting = false;
+    this.pause = 0;
+  }
+
+  begin(maps, tips) {
+    this.maps = maps;
+    this.tips = tips;
+  }
+
+  repaint() {
+    this.stale = true;
+    this.request();
+  }
+
+  moved() {
+    clearTimeout(this.pause);
+    if (this.cost < 24 || !this.maps[0]?.painted) return this.repaint();
+    this.pause = setTimeout(() => this.repaint(), 110);
+    return this.request();
+  }
+
+  request() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      if (this.stale) this.paint();
+      for (const map of this.maps) map.show();
+      this.tips?.update();
+    });
+  }
+
+  paint() {
+    this.stale = false;
+    const start = performance.now();
+    for (const map of this.maps) map.paint();
+    // Reading a pixel waits until all is painted.
+    for (const map of this.maps) map.shader.finish();
+    const took = performance.now() - start;
+    this.cost = this.cost === 0 ? took : 0.5 * (this.cost + took);
+  }
+}
+
 function makeLayerControls(style, redraw) {
   const fill = element('select', {id: 'fill', onchange: () => {
     style.fill = fill.value;
@@ -137,24 +187,14 @@ async function start() {
   const style = {fill: 'elevation'};
   for (const layer of kLayers) style[layer.name] = layer.on;
 
-  let waiting = false;
-  let maps = [];
-  let tips;
-  const redraw = () => {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      for (const map of maps) map.draw();
-      tips?.update();
-    });
-  };
-  const state = new State(view, pits, redraw);
+  const frames = new Frames();
+  const redraw = () => frames.repaint();
+  const state = new State(view, pits, () => frames.request());
   const shader = new Shader(terrain);
   const shared = {terrain, pits, view, shader, style, state, data};
-  maps = ['map-before', 'map-after'].map((id, which) => new MapView(byId(id), which, shared));
-  tips = new Tips(maps, shared);
-  view.onChange(redraw);
+  const maps = ['map-before', 'map-after'].map((id, which) => new MapView(byId(id), which, shared));
+  frames.begin(maps, new Tips(maps, shared));
+  view.onChange(() => frames.moved());
 
   showHead(data, terrain);
   document.querySelectorAll('.caption-figure').forEach((span, which) => {
@@ -186,7 +226,8 @@ async function start() {
   new ResizeObserver(fitCanvases).observe(maps[0].canvas.parentElement);
   new ResizeObserver(() => scene.resize()).observe(byId('scene').parentElement);
   fitCanvases();
-  window.thalwegReport = {data, terrain, pits, view, style, state, maps, scene, table};
+  window.thalwegReport = {theme: currentTheme, data, terrain, pits, view, style, state, maps, scene, table, frames};
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   document.documentElement.dataset.ready = 'true';
 }
 

@@ -18,12 +18,20 @@ class Overlay {
     this.terrain = terrain;
     this.pits = pits;
     this.map = map;
-    const amount = terrain.accumulated[map];
     const next = terrain.downstream[map];
-    this.rivers = Uint32Array.from(next.keys()).filter((v) => next[v] !== kNoVertex && amount[v] > 1);
-    this.rivers.sort((u, v) => amount[v] - amount[u]);
     this.longest = [];
     for (let v = terrain.data.water.from[map]; v !== kNoVertex && v !== undefined; v = next[v]) this.longest.push(v);
+  }
+
+  // Vertices that water flows through on its way, the largest streams first.
+  get rivers() {
+    if (!this.madeRivers) {
+      const amount = this.terrain.accumulated[this.map];
+      const next = this.terrain.downstream[this.map];
+      this.madeRivers = Uint32Array.from(next.keys()).filter((v) => next[v] !== kNoVertex && amount[v] > 1);
+      this.madeRivers.sort((u, v) => amount[v] - amount[u]);
+    }
+    return this.madeRivers;
   }
 
   draw(context, view, style, theme) {
@@ -34,7 +42,6 @@ class Overlay {
     if (style.flow) this.drawFlow(context, view, theme);
     if (style.changes) this.drawChanges(context, view, theme);
     this.drawPits(context, view, style, theme);
-    this.drawScaleBar(context, view, theme);
   }
 
   drawEdges(context, view, theme) {
@@ -221,7 +228,7 @@ class Pits {
   // In pixels: areas grow with depth, and all shrink where there are many.
   radius(view, part) {
     const room = this.spacing * view.scale;
-    const most = Math.min(11, Math.max(2.2, 0.34 * room)), least = Math.min(4, Math.max(0.9, 0.1 * room));
+    const most = Math.min(11, Math.max(2, 0.22 * room)), least = Math.min(4, Math.max(0.9, 0.07 * room));
     return least + (most - least) * Math.sqrt(part);
   }
 

@@ -7,30 +7,48 @@ class MapView {
     this.canvas = figure.querySelector('canvas');
     this.tip = figure.querySelector('.tip');
     this.context = this.canvas.getContext('2d');
+    this.picture = document.createElement('canvas');
+    this.pictureContext = this.picture.getContext('2d');
     this.overlay = new Overlay(this.terrain, this.pits, which);
     this.canvas.setAttribute('aria-label', `${which === 0 ? 'Delaunay triangulation' : 'Result'}: map`);
     this.pointers = new Map();
     this.listen();
   }
 
-  resize() {
+  resize(canvas) {
     const {view} = this;
     const width = Math.round(view.width * view.ratio), height = Math.round(view.height * view.ratio);
-    if (this.canvas.width !== width || this.canvas.height !== height) {
-      this.canvas.width = width;
-      this.canvas.height = height;
-    }
+    if (canvas.width === width && canvas.height === height) return;
+    canvas.width = width;
+    canvas.height = height;
   }
 
-  draw() {
-    const {context, canvas, view, style} = this;
+  // Makes the picture of the present view: all but what moves with the pointer.
+  paint() {
+    const {picture, pictureContext: context, view, style} = this;
     const theme = currentTheme();
-    this.resize();
+    this.resize(picture);
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, picture.width, picture.height);
+    this.shader.paint(context, this.which, view, picture.width, picture.height, style, theme);
+    this.overlay.draw(context, view, style, theme);
+    this.painted = {x: view.x, y: view.y, scale: view.scale};
+  }
+
+  // Shows the picture where it now belongs: moved and scaled if the view has changed since it was painted.
+  show() {
+    const {context, canvas, view, painted, picture} = this;
+    this.resize(canvas);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, canvas.width, canvas.height);
-    this.shader.paint(context, this.which, view, canvas.width, canvas.height, style, theme);
-    this.overlay.draw(context, view, style, theme);
-    this.drawMarker(theme);
+    const factor = view.scale / painted.scale;
+    const left = (painted.x - view.x) * view.scale * view.ratio + (canvas.width / 2) * (1 - factor);
+    const top = (view.y - painted.y) * view.scale * view.ratio + (canvas.height / 2) * (1 - factor);
+    context.setTransform(factor, 0, 0, factor, left, top);
+    context.drawImage(picture, 0, 0);
+    context.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
+    this.overlay.drawScaleBar(context, view, currentTheme());
+    this.drawMarker(currentTheme());
   }
 
   // The chosen pit, and a cross where the pointer is in the other map.

@@ -15,8 +15,6 @@ class Terrain {
     this.corners.set(payload.before, payload.common.length);
     this.corners.set(payload.after, payload.common.length + payload.before.length);
     this.setPlaces(payload);
-    this.accumulated = this.downstream.map(accumulate);
-    this.sinks = this.downstream.map(findSinks);
     this.findChanges();
     this.shade = new Uint8Array(this.triangles);
     this.shadeTriangles();
@@ -28,6 +26,14 @@ class Terrain {
 
   get triangles() {
     return this.corners.length / 3;
+  }
+
+  // How much flows through each vertex, and where its water ends, in both maps; worked out when first asked for.
+  get accumulated() {
+    return (this.madeAccumulated ??= this.downstream.map(accumulate));
+  }
+  get sinks() {
+    return (this.madeSinks ??= this.downstream.map(findSinks));
   }
 
   // Whether triangle t belongs to map 0 (before) or 1 (after).

@@ -1,18 +1,19 @@
-// Paints hill-shaded triangles: one WebGL context for both maps, whose picture is copied into their canvases. Where
-// there is no WebGL, a canvas does it, more slowly.
+// Paints hill-shaded triangles: one WebGL context for both maps, whose picture is copied into their canvases. What
+// both have in common is painted once. Where there is no WebGL, a canvas does it, more slowly.
 
 const kVertexShader = `#version 300 es
 in vec2 place;
 in float level;
-in vec4 facts;  // shade, order, basin before, basin after
+in vec2 facts;   // shade, order
+in vec2 basins;  // before, after
 uniform vec4 view;  // scale x, scale y, centre x, centre y
-uniform float whichBasin;
+uniform int which;
 out float height;
 out vec3 fact;
 void main() {
   gl_Position = vec4((place - view.zw) * view.xy, 0.0, 1.0);
   height = level;
-  fact = vec3(facts.x / 255.0, facts.y, whichBasin < 0.5 ? facts.z : facts.w);
+  fact = vec3(facts.x / 255.0, facts.y, which == 0 ? basins.x : basins.y);
 }`;
 
 const kFragmentShader = `#version 300 es
@@ -20,7 +21,7 @@ precision highp float;
 in float height;
 in vec3 fact;
 uniform vec3 ramp[6];
-uniform vec3 basins[12];
+uniform vec3 basinColours[12];
 uniform vec3 orders[6];
 uniform int fill;  // 0 elevation, 1 basins, 2 orders, 3 none
 uniform vec2 light;  // in full shadow, in full light
@@ -35,7 +36,7 @@ vec3 tint() {
 void main() {
   vec3 base = paper;
   if (fill == 0) base = tint();
-  if (fill == 1) base = basins[int(fact.z + 0.5)];
+  if (fill == 1) base = basinColours[int(fact.z + 0.5)];
   if (fill == 2) base = orders[min(int(fact.y + 0.5), 5)];
   float strength = mix(1.0, mix(light.x, light.y, smoothstep(0.0, 1.0, fact.x)), shaded);
   colour = vec4(min(base * strength, 1.0), 1.0);
@@ -45,10 +46,19 @@ class Shader {
   constructor(terrain) {
     this.terrain = terrain;
     this.canvas = document.createElement('canvas');
-    this.gl = this.canvas.getContext('webgl2', {antialias: true, preserveDrawingBuffer: true, alpha: true});
-    const colours = colourBasins(terrain);
-    this.basins = [0, 1].map((map) => basinOfTriangles(terrain, map, colours));
+    // Triangles smaller than a pixel need no smooth borders.
+    const antialias = terrain.triangles < kSmoothTriangles;
+    this.gl = this.canvas.getContext('webgl2', {antialias, preserveDrawingBuffer: true, alpha: true});
     if (this.gl) this.prepare();
+  }
+
+  // The colour of each triangle's basin in both maps; worked out when it is first asked for.
+  get basins() {
+    if (!this.madeBasins) {
+      const colours = colourBasins(this.terrain);
+      this.madeBasins = [0, 1].map((map) => basinOfTriangles(this.terrain, map, colours));
+    }
+    return this.madeBasins;
   }
 
   prepare() {
@@ -70,36 +80,54 @@ class Shader {
     this.uniforms = new Map();
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, this.corners(), gl.STATIC_DRAW);
-    const attribute = (name, size, type, normalized, offset) => {
-      const at = gl.getAttribLocation(program, name);
-      gl.enableVertexAttribArray(at);
-      gl.vertexAttribPointer(at, size, type, normalized, 16, offset);
-    };
-    attribute('place', 2, gl.FLOAT, false, 0);
-    attribute('level', 1, gl.UNSIGNED_SHORT, true, 8);
-    attribute('facts', 4, gl.UNSIGNED_BYTE, false, 12);
+    this.attribute('place', 2, gl.FLOAT, false, 12, 0);
+    this.attribute('level', 1, gl.UNSIGNED_SHORT, true, 12, 8);
+    this.attribute('facts', 2, gl.UNSIGNED_BYTE, false, 12, 10);
+    this.chunks = chunksOf(this.terrain);
     this.canvas.addEventListener('webglcontextlost', () => { this.gl = null; });
+  }
+
+  attribute(name, size, type, normalized, stride, offset) {
+    const {gl} = this;
+    const at = gl.getAttribLocation(this.program, name);
+    gl.enableVertexAttribArray(at);
+    gl.vertexAttribPointer(at, size, type, normalized, stride, offset);
+  }
+
+  sendBasins() {
+    if (this.sentBasins) return;
+    this.sentBasins = true;
+    const {gl} = this;
+    const [before, after] = this.basins;
+    const bytes = new Uint8Array(6 * before.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = (i % 2 === 0 ? before : after)[Math.floor(i / 6)];
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.STATIC_DRAW);
+    this.attribute('basins', 2, gl.UNSIGNED_BYTE, false, 2, 0);
   }
 
   // Each triangle has corners of its own: what is one colour all over it is the same in all three.
   corners() {
     const {terrain} = this;
-    const buffer = new ArrayBuffer(16 * terrain.corners.length);
+    const buffer = new ArrayBuffer(12 * terrain.corners.length);
     const floats = new Float32Array(buffer);
     const shorts = new Uint16Array(buffer);
     const bytes = new Uint8Array(buffer);
     for (let i = 0; i < terrain.corners.length; ++i) {
       const v = terrain.corners[i];
       const t = (i - (i % 3)) / 3;
-      floats[4 * i] = terrain.x[v];
-      floats[4 * i + 1] = terrain.y[v];
-      shorts[8 * i + 4] = 65535 * terrain.level[v];
-      bytes[16 * i + 12] = terrain.shade[t];
-      bytes[16 * i + 13] = Math.min(255, terrain.order(t));
-      bytes[16 * i + 14] = this.basins[0][t];
-      bytes[16 * i + 15] = this.basins[1][t];
+      floats[3 * i] = terrain.x[v];
+      floats[3 * i + 1] = terrain.y[v];
+      shorts[6 * i + 4] = 65535 * terrain.level[v];
+      bytes[12 * i + 10] = terrain.shade[t];
+      bytes[12 * i + 11] = Math.min(255, terrain.order(t));
     }
     return buffer;
+  }
+
+  // Waits until what was asked for is painted.
+  finish() {
+    if (this.gl) this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   uniform(name) {
@@ -115,25 +143,47 @@ class Shader {
       canvas.width = width;
       canvas.height = height;
     }
+    const shared = JSON.stringify([view.x, view.y, view.scale, width, height, style.fill, style.shading, theme.paper]);
+    const commonDone = map === 1 && this.holds === shared && style.fill !== 'basins';
+    this.holds = map === 0 ? shared : '';
+    if (style.fill === 'basins') this.sendBasins();
     gl.viewport(0, 0, width, height);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT);
+    if (!commonDone) {
+      gl.clearColor(0, 0, 0, 0);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+    }
     const scale = view.scale * view.ratio;
     gl.uniform4f(this.uniform('view'), (2 * scale) / width, (2 * scale) / height, view.x, view.y);
-    gl.uniform1f(this.uniform('whichBasin'), map);
+    gl.uniform1i(this.uniform('which'), map);
     gl.uniform3fv(this.uniform('ramp'), theme.ramp.flatMap(rgb));
-    gl.uniform3fv(this.uniform('basins'), theme.basins.flatMap(rgb));
+    gl.uniform3fv(this.uniform('basinColours'), theme.basins.flatMap(rgb));
     gl.uniform3fv(this.uniform('orders'), theme.orders.flatMap(rgb));
     gl.uniform3fv(this.uniform('paper'), rgb(theme.orders[0]));
     gl.uniform1i(this.uniform('fill'), kFills.indexOf(style.fill));
     gl.uniform2f(this.uniform('light'), theme.shadow, theme.light);
     gl.uniform1f(this.uniform('shaded'), style.shading ? 1 : 0);
-    gl.drawArrays(gl.TRIANGLES, 0, 3 * terrain.common);
+    if (!commonDone) this.drawCommon(view.box());
     const [first, number] = map === 0 ? [terrain.common, terrain.before]
                                       : [terrain.common + terrain.before, terrain.after];
     gl.drawArrays(gl.TRIANGLES, 3 * first, 3 * number);
     context.drawImage(canvas, 0, 0);
     return undefined;
+  }
+
+  // Chunks in sight; those next to each other in one go.
+  drawCommon(box) {
+    const {gl} = this;
+    let first = -1;
+    const draw = (end) => {
+      if (first >= 0) gl.drawArrays(gl.TRIANGLES, 3 * first, 3 * (end - first));
+      first = -1;
+    };
+    for (const chunk of this.chunks) {
+      const seen = chunk.left <= box.right && chunk.right >= box.left && chunk.bottom <= box.top && chunk.top >= box.bottom;
+      if (seen && first < 0) first = chunk.first;
+      if (!seen) draw(chunk.first);
+    }
+    draw(this.terrain.common);
   }
 
   paintByHand(context, map, view, width, height, style, theme) {
@@ -163,4 +213,23 @@ class Shader {
   }
 }
 
+// Triangles of both maps come along a space-filling curve: runs of them lie close together.
+function chunksOf(terrain) {
+  const length = 4096;
+  const chunks = [];
+  for (let first = 0; first < terrain.common; first += length) {
+    const chunk = {first, left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity};
+    for (let i = 3 * first; i < 3 * Math.min(first + length, terrain.common); ++i) {
+      const v = terrain.corners[i];
+      chunk.left = Math.min(chunk.left, terrain.x[v]);
+      chunk.right = Math.max(chunk.right, terrain.x[v]);
+      chunk.bottom = Math.min(chunk.bottom, terrain.y[v]);
+      chunk.top = Math.max(chunk.top, terrain.y[v]);
+    }
+    chunks.push(chunk);
+  }
+  return chunks;
+}
+
+const kSmoothTriangles = 200000;
 const kFills = ['elevation', 'basins', 'orders', 'none'];
