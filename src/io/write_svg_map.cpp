@@ -18,7 +18,7 @@
 namespace thalweg::io {
 namespace {
 
-constexpr double kSize = 1000, kMargin = 24, kLegendHeight = 74;
+constexpr double kSize = 1000, kMargin = 24, kLegendHeight = 96;
 
 // Blue, vermilion and black tell apart what they mark for every kind of colour vision.
 constexpr std::string_view kRemoved = "#0072b2", kRemaining = "#d55e00", kBoundary = "#2b2b2b";
@@ -70,7 +70,7 @@ class SvgMap {
     const double width = kSize + 2 * kMargin, height = frame_.height() + 2 * kMargin + kLegendHeight;
     out_ << R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" << width << ' ' << digits(height)
          << R"(" font-family="Helvetica, Arial, sans-serif" font-size="13">)"
-         << "\n<title>" << markup_text(report_.file) << "</title>\n"
+         << "\n<title>" << markup_text(file_name()) << "</title>\n"
          << R"(<rect width="100%" height="100%" fill="#fff"/>)"
          << "\n<g transform=\"translate(" << digits(kMargin + (kSize - frame_.width()) / 2) << ' ' << kMargin
          << ")\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
@@ -97,7 +97,7 @@ class SvgMap {
     out_ << "</g>\n";
   }
 
-  /// Red, green, blue in steps of 8, so that few paths are needed.
+  /// Red, green, blue in steps of 4, so that few paths are needed.
   std::uint32_t colour_of(const IndexTriangle& t) const {
     double level = 0;
     for (const std::uint32_t v : t) level += frame_.level(report_.points[v].z) / 3;
@@ -108,7 +108,7 @@ class SvgMap {
     for (std::size_t c = 0; c < 3; ++c) {
       const double tint = kTints[below][c] + part * (kTints[below + 1][c] - kTints[below][c]);
       const double lit = std::clamp(tint * light, 0.0, 255.0);
-      colour = colour << 8 | std::min(255u, static_cast<std::uint32_t>(std::round(lit / 8) * 8));
+      colour = colour << 8 | std::min(255u, static_cast<std::uint32_t>(std::round(lit / 4) * 4));
     }
     return colour;
   }
@@ -126,7 +126,7 @@ class SvgMap {
     const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     if (!(length > 0)) return 1;
     const double cosine = (-0.5 * n.x + 0.5 * n.y + std::sqrt(0.5) * n.z) / length;
-    return 0.55 + 0.65 * std::max(cosine, 0.0);
+    return 0.62 + 0.5 * std::max(cosine, 0.0);
   }
 
   void write_cells() {
@@ -304,19 +304,24 @@ class SvgMap {
       label("flow", 60);
     }
     write_scale_bar();
-    out_ << "<text x=\"0\" y=\"46\" fill=\"#666\">" << markup_text(report_.file) << ", order "
-         << report_.order << ": " << report_.pits[0].total << " pits in the Delaunay triangulation, "
-         << report_.pits[1].total << " here"
-         << (layers_.pits ? "; circles are larger the deeper the pit" : "") << "</text>\n</g>\n";
+    out_ << "<text x=\"0\" y=\"42\" fill=\"#666\">" << markup_text(file_name()) << ", order " << report_.order
+         << ": " << report_.pits[0].total << " pits in the Delaunay triangulation, " << report_.pits[1].total
+         << " here" << (layers_.pits ? "; circles are larger the deeper the pit" : "") << "</text>\n</g>\n";
   }
 
   void write_scale_bar() {
     const double units = frame_.units();
     if (!std::isfinite(units * kSize) || !(units > 0)) return;
     const double length = round_length(units * kSize / 5), drawn = digits(length / units);
-    out_ << "<g transform=\"translate(" << digits(kSize - drawn) << " 36)\"><path d=\"M0 0v6H" << drawn
-         << "v-6\" fill=\"none\" stroke=\"#222\"/><text x=\"" << drawn / 2
-         << "\" y=\"-3\" text-anchor=\"middle\">" << number_text(length) << "</text></g>\n";
+    out_ << "<g transform=\"translate(0 62)\"><path d=\"M0 0v6H" << drawn
+         << "v-6\" fill=\"none\" stroke=\"#222\"/><text x=\"" << drawn + 8 << "\" y=\"7\">"
+         << number_text(length) << "</text></g>\n";
+  }
+
+  /// Without the folders it is in.
+  std::string_view file_name() const {
+    const std::string_view path = report_.file;
+    return path.substr(path.rfind('/') + 1);
   }
 
   RowWriter& out_;

@@ -53,10 +53,10 @@ function svg(name, attributes, ...children) {
   return made;
 }
 
-// A round number not below value, for the top of an axis.
+// A number not below value, for the top of an axis with four steps.
 function roundUp(value) {
   const power = 10 ** Math.floor(Math.log10(Math.max(1, value)));
-  return [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].map((f) => f * power).find((limit) => limit >= value) ?? value;
+  return [1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8, 10].map((f) => f * power).find((limit) => limit >= value) ?? value;
 }
 
 // Groups of bars over labels; series: [{name, className, values}].
@@ -133,5 +133,6 @@ function factsFigure(data) {
 
 function showFigures(data) {
   byId('figures').replaceChildren(
-    ...(data.sweep.order.length > 0 ? [sweepFigure(data.sweep)] : []), ordersFigure(data), factsFigure(data));
+    ...(data.sweep.order.length > 0 ? [sweepFigure(data.sweep)] : []),
+    element('div', {class: 'stack'}, ordersFigure(data), factsFigure(data)));
 }

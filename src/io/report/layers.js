@@ -108,11 +108,12 @@ class Overlay {
       classes.get(width).push(v);
       ++drawn;
     }
+    const slim = Math.min(1, Math.max(0.35, (view.scale / Math.sqrt(terrain.vertices)) / 5));
     context.strokeStyle = theme.water;
     for (const [width, vertices] of classes) {
       context.beginPath();
       for (const v of vertices) this.line(context, view, v, next[v]);
-      context.lineWidth = 0.5 + 0.26 * width;
+      context.lineWidth = slim * (0.5 + 0.26 * width);
       context.stroke();
     }
     context.beginPath();

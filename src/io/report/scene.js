@@ -89,7 +89,8 @@ class SceneView {
     }
     this.colours = new THREE.BufferAttribute(new Uint8Array(3 * terrain.vertices), 3, true);
     const position = new THREE.BufferAttribute(places, 3);
-    const material = new THREE.MeshLambertMaterial({vertexColors: true, flatShading: true, side: 2});
+    const material = new THREE.MeshLambertMaterial({vertexColors: true, flatShading: true, side: 2,
+                                                    polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 60});
     const part = (first, number) => {
       const geometry = new THREE.BufferGeometry();
       geometry.setAttribute('position', position);
@@ -103,14 +104,26 @@ class SceneView {
     this.group.add(part(0, terrain.common), ...this.parts);
   }
 
+  // A white disc, which the colour of the material tints.
+  makeDisc(THREE) {
+    const canvas = document.createElement('canvas');
+    canvas.width = canvas.height = 64;
+    const context = canvas.getContext('2d');
+    context.arc(32, 32, 30, 0, 2 * Math.PI);
+    context.fillStyle = '#fff';
+    context.fill();
+    return new THREE.CanvasTexture(canvas);
+  }
+
   makePits(THREE) {
+    const map = this.makeDisc(THREE);
     this.clouds = ['removed', 'remaining', 'boundary'].map((kind) => {
       const shown = this.pits.list.filter((pit) => pit.shownAs === kind);
-      const places = new Float32Array(shown.flatMap((pit) => [pit.x, pit.y, this.terrain.level[pit.vertex] - 0.5 + 0.004]));
+      const places = new Float32Array(shown.flatMap((pit) => [pit.x, pit.y, this.terrain.level[pit.vertex] - 0.5 + 0.02]));
       const geometry = new THREE.BufferGeometry();
       geometry.setAttribute('position', new THREE.BufferAttribute(places, 3));
-      const size = Math.min(7, Math.max(2, 400 / Math.sqrt(this.pits.list.length + 1)));
-      const points = new THREE.Points(geometry, new THREE.PointsMaterial({size, sizeAttenuation: false}));
+      const size = Math.min(11, Math.max(3, 400 / Math.sqrt(this.pits.list.length + 1)));
+      const points = new THREE.Points(geometry, new THREE.PointsMaterial({size, map, alphaTest: 0.5, sizeAttenuation: false}));
       points.frustumCulled = false;
       points.kind = kind;
       this.group.add(points);

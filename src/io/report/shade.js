@@ -125,9 +125,18 @@ class Shader {
     return buffer;
   }
 
-  // Waits until what was asked for is painted.
-  finish() {
-    if (this.gl) this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
+  // Calls back once all that was asked for is painted, without waiting for it.
+  whenPainted(callback) {
+    const {gl} = this;
+    if (!gl) return callback();
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = () => {
+      if (fence && this.gl && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return setTimeout(look, 4);
+      gl.deleteSync(fence);
+      return callback();
+    };
+    return setTimeout(look, 0);
   }
 
   uniform(name) {

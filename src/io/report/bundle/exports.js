@@ -3,7 +3,7 @@ export {
   AmbientLight,
   BufferAttribute,
   BufferGeometry,
-  Color,
+  CanvasTexture,
   DirectionalLight,
   Group,
   Mesh,
