@@ -37,11 +37,11 @@ class State {
 
   // By depth, the deepest first.
   chooseNext(step) {
-    this.order ??= [...this.pits.list].sort((p, q) => q.part - p.part || p.name - q.name);
-    if (this.order.length === 0) return;
-    const at = this.order.indexOf(this.chosen);
-    const next = at < 0 ? (step > 0 ? 0 : this.order.length - 1) : (at + step + this.order.length) % this.order.length;
-    this.choose(this.order[next], {fly: true});
+    const order = this.pits.byDepth;
+    if (order.length === 0) return;
+    const at = order.indexOf(this.chosen);
+    const next = at < 0 ? (step > 0 ? 0 : order.length - 1) : (at + step + order.length) % order.length;
+    this.choose(order[next], {fly: true});
   }
 }
 
@@ -122,7 +122,8 @@ function makeLegend() {
   byId('legend').append(
     ...entries.map(([name, label]) => element('span', {}, element('i', {class: name}), label)),
     element('span', {class: 'ramp-key'}, 'low', element('i', {class: 'ramp'}), 'high'),
-    element('span', {class: 'hint'}, 'Circles are larger the deeper the pit: how far water must rise in it to run off to lower ground.'));
+    element('span', {class: 'hint'}, 'Circles are larger the deeper the pit: how far water must rise in it to run off to lower ground. ' +
+      'Of very many in sight only the deepest are drawn, and edges only from nearer by.'));
 }
 
 function makeTabs(onShow) {

@@ -12,6 +12,8 @@ const kLayers = [
 
 const kMostEdges = 24000;  // triangles in sight beyond which edges would be a grey veil
 const kMostFlow = 9000;
+const kMostPits = 2500;
+const kMostChanges = 12000;
 
 class Overlay {
   constructor(terrain, pits, map) {
@@ -79,10 +81,11 @@ class Overlay {
     const box = view.box();
     const thin = view.scale / Math.sqrt(this.terrain.vertices) < 4;
     const draw = (edges, width, colour, dash) => {
+      const shown = [];
+      for (let i = 0; i < edges.length; i += 2) if (this.inSight(box, edges[i], edges[i + 1])) shown.push(i);
+      if (shown.length > kMostChanges) return;
       context.beginPath();
-      for (let i = 0; i < edges.length; i += 2) {
-        if (this.inSight(box, edges[i], edges[i + 1])) this.line(context, view, edges[i], edges[i + 1]);
-      }
+      for (const i of shown) this.line(context, view, edges[i], edges[i + 1]);
       context.lineWidth = thin ? 0.6 * width : width;
       context.strokeStyle = colour;
       context.setLineDash(thin ? [] : dash);
@@ -127,15 +130,13 @@ class Overlay {
   }
 
   drawPits(context, view, style, theme) {
-    const box = view.box();
-    const reach = this.pits.radius(view, 1) / view.scale;
+    const shown = this.pits.inSight(view, style);
     for (const kind of ['removed', 'boundary', 'remaining']) {
       if (!style[kind]) continue;
       const hollow = kind === 'removed' && this.map === 1;
       context.beginPath();
-      for (const pit of this.pits.list) {
-        if (pit.shownAs !== kind || pit.x < box.left - reach || pit.x > box.right + reach) continue;
-        if (pit.y < box.bottom - reach || pit.y > box.top + reach) continue;
+      for (const pit of shown) {
+        if (pit.shownAs !== kind) continue;
         const [px, py] = view.toScreen(pit.x, pit.y);
         const radius = this.pits.radius(view, pit.part);
         context.moveTo(px + radius, py);
@@ -224,11 +225,26 @@ class Pits {
       pit.part = !Number.isFinite(pit.levels) ? 1 : deepest > 0 ? Math.min(1, pit.levels / deepest) : 0;
     }
     this.spacing = 2 / Math.sqrt(Math.max(1, this.list.length));
+    this.byDepth = [...this.list].sort((p, q) => q.part - p.part || p.name - q.name);
+  }
+
+  // Those that a map shows: in sight, and of a layer that is on; the deepest, if there are too many to be told apart.
+  inSight(view, style) {
+    const box = view.box();
+    const reach = 12 / view.scale;
+    const shown = [];
+    for (const pit of this.byDepth) {
+      if (!style[pit.shownAs] || pit.x < box.left - reach || pit.x > box.right + reach) continue;
+      if (pit.y < box.bottom - reach || pit.y > box.top + reach) continue;
+      if (shown.push(pit) === kMostPits) break;
+    }
+    this.crowded = shown.length === kMostPits;
+    return shown;
   }
 
   // In pixels: areas grow with depth, and all shrink where there are many.
   radius(view, part) {
-    const room = this.spacing * view.scale;
+    const room = Math.max(this.spacing, 2 / Math.sqrt(kMostPits)) * view.scale;
     const most = Math.min(11, Math.max(2, 0.22 * room)), least = Math.min(4, Math.max(0.9, 0.07 * room));
     return least + (most - least) * Math.sqrt(part);
   }
@@ -237,8 +253,7 @@ class Pits {
   near(view, px, py, style) {
     let best;
     let nearest = Infinity;
-    for (const pit of this.list) {
-      if (!style[pit.shownAs]) continue;
+    for (const pit of this.inSight(view, style)) {
       const [x, y] = view.toScreen(pit.x, pit.y);
       const distance = Math.hypot(x - px, y - py) - this.radius(view, pit.part);
       if (distance >= nearest || distance > 5) continue;
