@@ -11,7 +11,7 @@ function fromTo(before, after) {
 }
 
 function hashCard(data) {
-  const short = (hash) => `${hash.slice(0, 8)}\u2026${hash.slice(-4)}`;
+  const short = (hash) => `${hash.slice(0, 10)}\u2026`;
   const same = data.hash_in !== '' && data.hash_in === data.hash_out;
   if (data.hash_in === '') {
     return card('Elevations', [count(data.vertices)], `sites ${short(data.hash_out)}`,
