@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {after, before, test} from 'node:test';
 
-import {canvasHash, close, kData, open, placeOfPit, rows, settle, start, stop, thalweg, tipText, work, write} from './support.mjs';
+import {close, kData, open, painted, picture, placeOfPit, rows, settle, start, stop, thalweg, tipText, work, write} from './support.mjs';
 
 const kHostile = 'x<img src=x onerror=alert(1)>".xyz';
 let summary;
@@ -117,9 +117,9 @@ test('both maps stay in step', async () => {
   await page.mouse.move(left.x + 260, left.y + 190, {steps: 4});
   await page.mouse.up();
   await settle(page);
-  const painted = await page.evaluate(() => window.thalwegReport.maps.map((map) => map.painted));
-  assert.deepEqual(painted[0], painted[1]);
-  assert.ok(painted[0].scale > 2 * await page.evaluate(() => window.thalwegReport.view.fittingScale()));
+  const views = await page.evaluate(() => window.thalwegReport.maps.map((map) => map.painted));
+  assert.deepEqual(views[0], views[1]);
+  assert.ok(views[0].scale > 2 * await page.evaluate(() => window.thalwegReport.view.fittingScale()));
   const places = [];
   for (const [map, box] of [['before', left], ['after', right]]) {
     await page.mouse.move(box.x + 320, box.y + 240);
@@ -156,18 +156,18 @@ test('a row of the table flies to its pit', async () => {
 test('layers can be switched', async () => {
   const report = await open('terrain.html');
   const {page} = report;
-  let last = await canvasHash(page, '#map-after canvas');
+  let last = await picture(page, '#map-after canvas');
   for (const layer of ['shading', 'edges', 'changes', 'flow', 'removed', 'remaining', 'boundary']) {
     await page.locator(`#layer-${layer}`).click();
     await settle(page);
-    const now = await canvasHash(page, '#map-after canvas');
+    const now = await picture(page, '#map-after canvas');
     assert.notEqual(now, last, layer);
     last = now;
   }
   for (const fill of ['basins', 'orders', 'none', 'elevation']) {
     await page.locator('#fill').selectOption(fill);
     await settle(page);
-    const now = await canvasHash(page, '#map-after canvas');
+    const now = await picture(page, '#map-after canvas');
     assert.notEqual(now, last, fill);
     last = now;
   }
@@ -227,13 +227,13 @@ test('the terrain stands in 3D and grows with the slider', async () => {
   await page.locator('#tab-scene').click();
   await page.waitForFunction(() => window.thalwegReport.scene.renderer && document.getElementById('scene-message').textContent === '');
   await page.waitForTimeout(300);
-  const first = await canvasHash(page, '#scene');
+  const first = await picture(page, '#scene');
   await page.locator('#exaggeration').fill('3');
-  assert.notEqual(await canvasHash(page, '#scene'), first);
-  const high = await canvasHash(page, '#scene');
+  assert.notEqual(await picture(page, '#scene'), first);
+  const high = await picture(page, '#scene');
   await page.locator('#scene').focus();
   await page.keyboard.press('ArrowLeft');
-  assert.notEqual(await canvasHash(page, '#scene'), high);
+  assert.notEqual(await picture(page, '#scene'), high);
   await page.screenshot({path: work('scene.png')});
   await close(report);
 });
@@ -316,19 +316,8 @@ test('draws level, huge, tiny and three-point terrains', async () => {
     assert.ok(!/nan|inf/i.test(readFileSync(work(`${name}.svg`), 'utf8').replace(/<text.*?<\/text>/g, '')), name);
     const report = await open(`${name}.html`, {scheme: 'dark'});
     const {page} = report;
-    const painted = await page.evaluate(() => {
-      const {canvas} = window.thalwegReport.maps[1];
-      const copy = document.createElement('canvas');
-      copy.width = canvas.width;
-      copy.height = canvas.height;
-      const context = copy.getContext('2d');
-      context.drawImage(canvas, 0, 0);
-      const {data} = context.getImageData(0, 0, copy.width, copy.height);
-      let some = 0;
-      for (let i = 3; i < data.length; i += 4) some += data[i] > 0 ? 1 : 0;
-      return some / (data.length / 4);
-    });
-    assert.ok(painted > 0.2, `${name}: ${painted}`);
+    const part = await painted(page, '#map-after canvas');
+    assert.ok(part > 0.2, `${name}: ${part}`);
     await page.locator('#map-before canvas').focus();
     await page.keyboard.press('n');
     await page.locator('#tab-scene').click();
@@ -338,4 +327,61 @@ test('draws level, huge, tiny and three-point terrains', async () => {
     await page.screenshot({path: work(`${name}.png`)});
     await close(report);
   }
+});
+
+test('without WebGL the maps are drawn all the same, and the third tab says why it is empty', async () => {
+  const {page} = await open('terrain.html', {webgl: false});
+  assert.ok(await painted(page, '#map-before canvas') > 0.4);
+  await page.locator('#fill').selectOption('basins');
+  await settle(page);
+  assert.ok(await painted(page, '#map-after canvas') > 0.4);
+  await page.screenshot({path: work('without_webgl.png')});
+  await page.locator('#tab-scene').click();
+  await page.waitForFunction(() => document.getElementById('scene-message').textContent.includes('cannot be shown'));
+  await page.close();
+});
+
+// Milliseconds that a frame takes while the maps are dragged, the median.
+function frameTime(page) {
+  return page.evaluate(() => new Promise((done) => {
+    const {view} = window.thalwegReport;
+    const times = [];
+    let last = performance.now();
+    const step = (now) => {
+      times.push(now - last);
+      last = now;
+      if (times.length > 40) return done(times.sort((a, b) => a - b)[20]);
+      view.move(times.length % 2 === 0 ? 3 : -2, 1);
+      return requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }));
+}
+
+test('a million triangles open within 5 s and move fluidly', {skip: !process.env.LARGE}, async () => {
+  thalweg('generate', 'fractal', '-n', '500000', '--seed', '1', '-o', 'million.xyz');
+  thalweg('build', 'million.xyz', '--report', 'million.html');
+  const report = await open('million.html');
+  const opened = await report.page.evaluate(() => performance.now());
+  await report.page.waitForTimeout(2000);
+  const frame = await frameTime(report.page);
+  console.log(`opened in ${Math.round(opened)} ms, a frame takes ${Math.round(frame)} ms`);
+  await settle(report.page);
+  await report.page.screenshot({path: work('million.png')});
+  assert.ok(opened < 5000 && frame < 50);
+  await close(report);
+});
+
+test('beyond a million triangles the maps are thinned out, and say so', {skip: !process.env.LARGE}, async () => {
+  thalweg('generate', 'fractal', '-n', '1000000', '--seed', '1', '-o', 'more.xyz');
+  const {mesh} = JSON.parse(thalweg('build', 'more.xyz', '--report', 'more.html', '--json', '-'));
+  const report = await open('more.html');
+  assert.match(await report.page.locator('#thinned').innerText(), /thinned out elsewhere/);
+  const drawn = await report.page.evaluate(() => {
+    const {terrain} = window.thalwegReport;
+    return {triangles: terrain.common + terrain.after, changed: terrain.newEdges.length / 2, pits: window.thalwegReport.pits.list.length};
+  });
+  assert.ok(drawn.triangles <= 1000000);
+  assert.equal(drawn.changed, mesh.edges_changed);
+  await close(report);
 });

@@ -4,7 +4,8 @@
 #     apt-get install -y chromium nodejs npm
 #     tests/browser/run.sh [BUILD]             a build folder with the command; default: build
 #
-# Everything it makes, screenshots too, is in BUILD/browser. CHROMIUM names another browser of that kind.
+# Everything it makes, screenshots too, is in BUILD/browser. With LARGE=1 terrains of a million triangles and more are
+# opened, too, which takes a few minutes. CHROMIUM names another browser of that kind.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "${1:-build}" && pwd)

@@ -20,7 +20,7 @@ export function write(name, text) {
 }
 
 export function thalweg(...args) {
-  return execFileSync(THALWEG, [...args, '--overwrite', '-q'], {cwd: WORK, encoding: 'utf8'});
+  return execFileSync(THALWEG, [...args, '--overwrite', '-q'], {cwd: WORK, encoding: 'utf8', maxBuffer: 1 << 28});
 }
 
 // Rows of a csv file without quotes, as objects.
@@ -42,9 +42,17 @@ export async function stop() {
 }
 
 // A page with the report, ready; `faults` gathers errors and requests that must not be.
-export async function open(name, {scheme = 'light', width = 1400, height = 1000} = {}) {
+export async function open(name, {scheme = 'light', width = 1400, height = 1000, webgl = true} = {}) {
   const page = await browser.newPage({viewport: {width, height}, colorScheme: scheme, reducedMotion: 'reduce'});
   const faults = [];
+  if (!webgl) {
+    await page.addInitScript(() => {
+      const {getContext} = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+        return kind === '2d' ? getContext.call(this, kind, ...more) : null;
+      };
+    });
+  }
   const address = pathToFileURL(work(name)).href;
   page.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
   page.on('pageerror', (error) => faults.push(error.stack));
@@ -88,7 +96,21 @@ export async function tipText(page, map) {
   return (await tip.isVisible()) ? tip.innerText() : '';
 }
 
-export async function canvasHash(page, selector) {
-  const url = await page.locator(selector).evaluate((canvas) => canvas.toDataURL());
-  return url;
+export function picture(page, selector) {
+  return page.locator(selector).evaluate((canvas) => canvas.toDataURL());
+}
+
+// The part of a canvas that is painted.
+export function painted(page, selector) {
+  return page.locator(selector).evaluate((canvas) => {
+    const copy = document.createElement('canvas');
+    copy.width = canvas.width;
+    copy.height = canvas.height;
+    const context = copy.getContext('2d');
+    context.drawImage(canvas, 0, 0);
+    const {data} = context.getImageData(0, 0, copy.width, copy.height);
+    let some = 0;
+    for (let i = 3; i < data.length; i += 4) some += data[i] > 0 ? 1 : 0;
+    return some / (data.length / 4);
+  });
 }

@@ -223,8 +223,9 @@ async function start() {
     if (id === 'tab-maps') fitCanvases();
   });
   const fitCanvases = () => {
-    const box = maps[0].canvas.parentElement.getBoundingClientRect();
-    if (box.width > 0) view.resize(box.width, box.height, Math.min(2, devicePixelRatio));
+    if (matchMedia('print').matches) return;  // paper gets what the screen has
+    const {clientWidth, clientHeight} = maps[0].canvas.parentElement;
+    if (clientWidth > 0) view.resize(clientWidth, clientHeight, Math.min(2, devicePixelRatio));
     scene.resize();
   };
   new ResizeObserver(fitCanvases).observe(maps[0].canvas.parentElement);

@@ -123,7 +123,8 @@ class Terrain {
       for (let t = from; t < from + length; ++t) {
         for (let i = 0; i < 3; ++i) {
           const u = this.corners[3 * t + i], v = this.corners[3 * t + ((i + 1) % 3)];
-          edges.set(u < v ? u * 4294967296 + v : v * 4294967296 + u, u < v ? [u, v] : [v, u]);
+          const edge = u < v ? [u, v] : [v, u];
+          edges.set(edge[0] * this.vertices + edge[1], edge);
         }
       }
       return edges;
