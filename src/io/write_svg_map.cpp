@@ -22,7 +22,7 @@ constexpr double kSize = 1000, kMargin = 24, kLegendHeight = 96;
 
 // Blue, vermilion and black tell apart what they mark for every kind of colour vision.
 constexpr std::string_view kRemoved = "#0072b2", kRemaining = "#d55e00", kBoundary = "#2b2b2b";
-constexpr std::string_view kWater = "#3d8fc4", kOld = "#5b5b5b", kNew = "#0072b2";
+constexpr std::string_view kWater = "#3d8fc4", kOld = "#5b5b5b", kNew = "#9b2d86";
 
 using Colour = std::array<double, 3>;
 
@@ -295,7 +295,7 @@ class SvgMap {
     }
     if (layers_.changes) {
       line(kOld, "stroke-width=\"1.1\" stroke-dasharray=\"3 3\"");
-      label("Delaunay edge given up", 180);
+      label("Delaunay edge given up", 192);
       line(kNew, "stroke-width=\"1.6\"");
       label("new edge", 90);
     }

@@ -1,5 +1,5 @@
 // Colours of both themes. Elevation runs from dark to light, so that it reads in grey as well; blue, vermilion and
-// black (white in the dark) are told apart by every kind of colour vision.
+// black (white in the dark) are told apart by every kind of colour vision, and so is the purple of new edges.
 
 const kThemes = {
   light: {
@@ -8,7 +8,7 @@ const kThemes = {
              '#9fb3d6', '#e0d3b0', '#b8cfd2'],
     orders: ['#f3f1ec', '#fbd7a0', '#f0a860', '#d9713c', '#a8452f', '#6b2a2a'],
     shadow: 0.52, light: 1.12,
-    paper: '#ffffff', edge: 'rgba(70, 62, 50, 0.32)', old: '#4a4a4a', fresh: '#0061a8',
+    paper: '#ffffff', edge: 'rgba(70, 62, 50, 0.32)', old: '#4a4a4a', fresh: '#9b2d86',
     removed: '#0072b2', remaining: '#d55e00', boundary: '#1d1d1d', halo: 'rgba(255, 255, 255, 0.9)',
     ring: 'rgba(255, 255, 255, 0.55)', water: '#2e86c1', text: '#26241f', marker: '#111111',
   },
@@ -18,7 +18,7 @@ const kThemes = {
              '#4f648c', '#8b8263', '#5f7e84'],
     orders: ['#2a2c2e', '#6b4a1c', '#a2671f', '#d18a3c', '#efb77a', '#fde6c8'],
     shadow: 0.42, light: 1.18,
-    paper: '#15181a', edge: 'rgba(235, 228, 214, 0.2)', old: '#c9c4ba', fresh: '#74c0ff',
+    paper: '#15181a', edge: 'rgba(235, 228, 214, 0.2)', old: '#c9c4ba', fresh: '#f49ac8',
     removed: '#5fb4ee', remaining: '#ff8a3d', boundary: '#f2f2f2', halo: 'rgba(10, 12, 14, 0.85)',
     ring: 'rgba(10, 14, 18, 0.5)', water: '#58b7e8', text: '#e9e5dc', marker: '#ffffff',
   },
