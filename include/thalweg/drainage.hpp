@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/export.hpp"
 #include "thalweg/pits.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/triangulation.hpp"
@@ -16,7 +17,7 @@ namespace thalweg {
 /// Laws: compare_steepness(v, b, a) == -compare_steepness(v, a, b). Exact: the squares (fall * other
 /// distance) are compared, never quotients or roots. Requires: finite coordinates; a and b neither at the
 /// place of `from` nor above it.
-int compare_steepness(Point3 from, Point3 a, Point3 b) noexcept;
+THALWEG_EXPORT int compare_steepness(Point3 from, Point3 a, Point3 b) noexcept;
 
 /// The flow paths of a terrain.
 ///
@@ -41,12 +42,12 @@ struct Drainage {
 };
 
 /// Requires: vertex v of `terrain` lies at points[v], finite. Complexity: O(n).
-Drainage drain(const Triangulation& terrain, std::span<const Point3> points);
+THALWEG_EXPORT Drainage drain(const Triangulation& terrain, std::span<const Point3> points);
 
 /// The level to which water must rise in each pit until it finds a way along edges to ground that is lower
 /// than the pit's first vertex, in elevation order; infinite for the lowest pit of all. An edge is as high as
 /// its higher end. Requires: `pits` are those of the terrain. Exact. Complexity: O(n log n).
-std::vector<double> spill_levels(const Triangulation& terrain, std::span<const Point3> points,
-                                 const Pits& pits);
+THALWEG_EXPORT std::vector<double> spill_levels(const Triangulation& terrain, std::span<const Point3> points,
+                                                const Pits& pits);
 
 }  // namespace thalweg

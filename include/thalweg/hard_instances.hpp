@@ -22,6 +22,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/export.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
 
@@ -29,14 +30,17 @@ namespace thalweg {
 
 /// A place with whole coordinates, so that what is collinear with it can be computed exactly.
 struct LatticePoint {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
+  std::int64_t x = 0;  ///< any unit, the same as y
+  std::int64_t y = 0;  ///< any unit, the same as x
+  /// Whether it is the same place.
   friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
 };
 
+/// A segment between two such places.
 struct LatticeSegment {
-  LatticePoint a;
-  LatticePoint b;
+  LatticePoint a;  ///< the end that gets elevation 1
+  LatticePoint b;  ///< the end that gets elevation 2
+  /// Whether it is the same segment in the same direction.
   friend bool operator==(const LatticeSegment&, const LatticeSegment&) = default;
 };
 
@@ -45,9 +49,9 @@ struct HardInstance {
   /// Points 2i and 2i + 1 are the ends a and b of segment i, at elevations 1 and 2; after them the shields,
   /// then the guards, all at elevation 3. All coordinates are integers below 2^53 in magnitude.
   std::vector<Point3> points;
-  std::uint32_t segments = 0;
-  std::uint32_t shields = 0;
-  std::uint32_t guards = 0;  ///< Corollary 2 only
+  std::uint32_t segments = 0;  ///< n: how many segments were given
+  std::uint32_t shields = 0;   ///< how many of the points are shields
+  std::uint32_t guards = 0;    ///< how many of the points are guards: Corollary 2 only
   /// The order k for which the minimum is as said: Theorem 1: so large that every triangulation is of order k
   /// (points - 3); Corollary 2: |P| + |H|.
   unsigned order = 0;
@@ -67,13 +71,13 @@ inline constexpr std::uint32_t kMostCorollary2Segments = 8;
 /// with the segments to blame as rows, for fewer than 2 or more than kMostTheorem1Segments, a coordinate
 /// beyond 2^29, a segment that is a point, two ends at one place, an end on another segment, and coordinates
 /// that would not fit into 2^53; all_collinear. Complexity: O(n^2 log n).
-Result<HardInstance> theorem1_instance(std::span<const LatticeSegment> segments);
+THALWEG_EXPORT Result<HardInstance> theorem1_instance(std::span<const LatticeSegment> segments);
 
 /// The instance in general position, for triangulations of order at most `order`. Laws: over all
 /// triangulations of order <= `order` the minimum of pits is 2n - (maximum set of non-crossing segments); no
 /// three ends or shields are collinear. Errors: as theorem1_instance, with at most kMostCorollary2Segments,
 /// and invalid_argument if three ends are collinear, or if the points would not fit into 2^53. Complexity:
 /// O(n^6) a try, below half a second at n = 8.
-Result<HardInstance> corollary2_instance(std::span<const LatticeSegment> segments);
+THALWEG_EXPORT Result<HardInstance> corollary2_instance(std::span<const LatticeSegment> segments);
 
 }  // namespace thalweg

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/export.hpp"
 #include "thalweg/pits.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
@@ -27,7 +28,14 @@ enum class Method {
 };
 
 /// Which elevation a site takes that occurs in several rows.
-enum class DuplicatePolicy { lowest, highest, mean, first, last, error };
+enum class DuplicatePolicy {
+  lowest,   ///< the lowest of them
+  highest,  ///< the highest of them
+  mean,     ///< their mean, rounded: the one case in which an elevation is computed
+  first,    ///< that of the first row
+  last,     ///< that of the last row
+  error,    ///< none: the call returns ErrorCode::duplicate_points
+};
 
 /// How sites in circles are counted. Both give the same answers, and so the same result.
 enum class Counter {
@@ -36,11 +44,12 @@ enum class Counter {
             ///< a site
 };
 
+/// What `minimize_pits` is to do.
 struct MinimizeOptions {
-  unsigned order = 8;  ///< k: every circumcircle holds at most so many sites
-  Method method = Method::best;
-  DuplicatePolicy duplicates = DuplicatePolicy::lowest;
-  Counter counter = Counter::crawl;
+  unsigned order = 8;            ///< k: every circumcircle holds at most so many sites
+  Method method = Method::best;  ///< how pits are removed
+  DuplicatePolicy duplicates = DuplicatePolicy::lowest;  ///< what becomes of rows with the same (x, y)
+  Counter counter = Counter::crawl;                      ///< how sites in circles are counted
   unsigned threads = 0;     ///< 0 = all of the machine; the result does not depend on it
   double time_limit = 0;    ///< seconds that Method::exact may search beyond best; 0 = until the end
   bool keep_trail = false;  ///< fill Minimized::trail (24 bytes a step)
@@ -58,11 +67,12 @@ enum class PitReason {
   kept,         ///< it has such pairs, and the method did not try them
 };
 
+/// A pit of the result.
 struct RemainingPit {
-  VertexId vertex;             ///< the first of the pit in elevation order (z, x, y)
-  std::uint32_t vertices = 1;  ///< how many vertices the pit has
-  bool boundary = false;
-  PitReason reason = PitReason::unremovable;
+  VertexId vertex;                            ///< the first of the pit in elevation order (z, x, y)
+  std::uint32_t vertices = 1;                 ///< how many vertices the pit has
+  bool boundary = false;                      ///< whether one of them is on the convex hull
+  PitReason reason = PitReason::unremovable;  ///< why it is still there
   /// Least useful order of a pair that leads from the pit to lower, or to equal other, ground; nothing if
   /// there is none at all (the lowest pit), or none up to Minimized::order_searched.
   std::optional<unsigned> order_needed = {};
@@ -70,34 +80,43 @@ struct RemainingPit {
 
 /// A pit of the Delaunay triangulation that is no more.
 struct RemovedPit {
-  VertexId vertex;  ///< the first of it in elevation order
-  std::uint32_t vertices = 1;
-  bool boundary = false;
+  VertexId vertex;             ///< the first of it in elevation order
+  std::uint32_t vertices = 1;  ///< how many vertices it had
+  bool boundary = false;       ///< whether one of them is on the convex hull
 };
 
 /// One change on the way from the Delaunay triangulation to the result.
 struct TrailStep {
-  enum class Kind : std::uint8_t { flip, insertion };
-  Kind kind = Kind::flip;
+  /// The two kinds of change.
+  enum class Kind : std::uint8_t {
+    flip,       ///< the diagonal of a quadrilateral was exchanged
+    insertion,  ///< an edge was put in, and with it new triangles on both sides
+  };
+  Kind kind = Kind::flip;  ///< which of the two it was
   /// Flip: the round in which it was done; no new triangle has a larger order. Insertion: the edge's useful
   /// order.
   unsigned order = 0;
-  /// The edge that came. Flip: u is its lower end. Insertion: u drains over it to v.
-  VertexId u, v;
-  /// Flip: the edge that went.
-  VertexId old_u, old_v;
+  /// One end of the edge that came. Flip: the lower. Insertion: the one that drains over it.
+  VertexId u;
+  /// The other end of the edge that came.
+  VertexId v;
+  /// Flip: one end of the edge that went.
+  VertexId old_u;
+  /// Flip: the other end of the edge that went.
+  VertexId old_v;
   /// First vertex, in elevation order, of the pit that this step removed; invalid if it removed none.
   VertexId pit;
 };
 
+/// A terrain, how good it is, and how that is known.
 struct Minimized {
   /// The terrain. Vertex ids are the indices of the caller's points; merged rows are isolated vertices.
   Triangulation triangulation;
   /// Order of each face, parallel to the faces.
   std::vector<std::uint32_t> face_orders;
 
-  PitCount delaunay_pits;
-  PitCount pits;
+  PitCount delaunay_pits;               ///< of the canonical Delaunay triangulation
+  PitCount pits;                        ///< of the result
   std::uint32_t lower_bound = 0;        ///< no triangulation of order <= k has fewer pits
   bool certified = false;               ///< pits.total is proved to be the minimum
   std::vector<RemainingPit> remaining;  ///< by vertex
@@ -113,14 +132,14 @@ struct Minimized {
 
   std::uint32_t edges_changed = 0;       ///< edges that the canonical Delaunay triangulation does not have
   std::uint32_t non_delaunay_edges = 0;  ///< inner edges that are not locally Delaunay
-  double min_angle_before_deg = 0;       ///< smallest angle, rounded, for reading only
-  double min_angle_after_deg = 0;
+  double min_angle_before_deg = 0;       ///< smallest angle of Delaunay in degrees, rounded, for reading only
+  double min_angle_after_deg = 0;        ///< the same of the result
 
-  std::uint64_t flips = 0;
-  std::uint64_t insertions = 0;
-  std::uint64_t circle_counts = 0;
-  double seconds_delaunay = 0;
-  double seconds_minimize = 0;
+  std::uint64_t flips = 0;          ///< how many were done
+  std::uint64_t insertions = 0;     ///< how many were done
+  std::uint64_t circle_counts = 0;  ///< how often the sites in a circle were counted
+  double seconds_delaunay = 0;      ///< time for the Delaunay triangulation, by the clock on the wall
+  double seconds_minimize = 0;      ///< time for all the rest
 };
 
 /// A terrain over `points` of order <= options.order with as few pits as the method finds. Elevations and
@@ -129,28 +148,32 @@ struct Minimized {
 /// delaunay_pits.total; lower_bound <= pits.total; certified == (pits.total == lower_bound). Errors:
 /// not_finite, too_few_points, all_collinear, duplicate_points, too_many_points, cancelled; rows name the
 /// culprits. Complexity: O(n log n) for the Delaunay triangulation, then in the number of pits and k, not in
-/// n.
-Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOptions& options = {});
+/// n; Method::exact is exponential in the worst case, which options.time_limit cuts off. Source: de Kok, van
+/// Kreveld, Loeffler, sections 3 and 4, for flip and hull; best and exact are our own.
+THALWEG_EXPORT Result<Minimized> minimize_pits(std::span<const Point3> points,
+                                               const MinimizeOptions& options = {});
 
 /// Pits at one order, by every method: a row of the paper's Table 1.
 struct SweepRow {
-  unsigned order = 0;
-  std::uint32_t flip = 0;
-  std::uint32_t hull = 0;
-  std::uint32_t best = 0;
-  std::uint32_t lower_bound = 0;
-  bool certified = false;
+  unsigned order = 0;             ///< k
+  std::uint32_t flip = 0;         ///< pits that Method::flip leaves
+  std::uint32_t hull = 0;         ///< pits that Method::hull leaves
+  std::uint32_t best = 0;         ///< pits that Method::best leaves
+  std::uint32_t lower_bound = 0;  ///< no triangulation of order <= k has fewer
+  bool certified = false;         ///< best == lower_bound
 };
 
+/// The table of `sweep_pits`.
 struct Sweep {
-  std::uint32_t sites = 0;
+  std::uint32_t sites = 0;     ///< distinct (x, y)
   std::vector<SweepRow> rows;  ///< by order
 };
 
 /// The counts of minimize_pits for every order from `first` to `last` and each method, sharing all that the
 /// runs have in common. Uses duplicates, threads, progress and cancel of the options. Errors: as
-/// minimize_pits; invalid_argument if first > last, or for more than a million orders.
-Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
-                         const MinimizeOptions& options = {});
+/// minimize_pits; invalid_argument if first > last, or for more than a million orders. Complexity: as
+/// minimize_pits by the three methods for each order, but for one Delaunay triangulation in all.
+THALWEG_EXPORT Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigned last,
+                                        const MinimizeOptions& options = {});
 
 }  // namespace thalweg

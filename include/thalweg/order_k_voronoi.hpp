@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "thalweg/export.hpp"
 #include "thalweg/id.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
@@ -33,18 +34,19 @@ class SiteIndex;
 struct VoronoiBuilder;
 }  // namespace detail
 
-using CellId = Id<struct VoronoiCellTag>;
-using VoronoiVertexId = Id<struct VoronoiVertexTag>;
-using VoronoiHalfedgeId = Id<struct VoronoiHalfedgeTag>;
+using CellId = Id<struct VoronoiCellTag>;                 ///< a cell of an OrderKVoronoi
+using VoronoiVertexId = Id<struct VoronoiVertexTag>;      ///< a vertex of an OrderKVoronoi
+using VoronoiHalfedgeId = Id<struct VoronoiHalfedgeTag>;  ///< a half-edge of an OrderKVoronoi
 
+/// How `order_k_voronoi` works.
 struct OrderKVoronoiOptions {
   unsigned threads = 1;  ///< 0 = all of the machine; the result does not depend on it
 };
 
 /// An axis-parallel rectangle.
 struct Box {
-  Point2 low;
-  Point2 high;
+  Point2 low;   ///< the corner with the least x and y
+  Point2 high;  ///< the corner with the largest x and y
 };
 
 /// A half-edge structure with polygonal faces: the half-edges of a cell are consecutive, counter-clockwise.
@@ -53,8 +55,9 @@ struct Box {
 ///
 /// Unbounded cells are cycles too: a ray ends at a *vertex at infinity*, and an *edge at infinity* joins two
 /// of them along an unbounded cell. The other side of edges at infinity, the outside, is no cell. Every
-/// vertex has three edges.
-class OrderKVoronoi {
+/// vertex has three edges. Requires, of every id handed in: it is one of this diagram. Complexity: O(1) where
+/// nothing else is said.
+class THALWEG_EXPORT OrderKVoronoi {
  public:
   /// k.
   unsigned order() const noexcept { return order_; }
@@ -66,8 +69,9 @@ class OrderKVoronoi {
   /// Law: 2 k n - k^2 - n + 1 - (unbounded cells of all orders below k) cells for n sites of which no three
   /// are on one line. Source: Lee 1982.
   std::uint32_t cell_count() const noexcept { return static_cast<std::uint32_t>(first_.size() - 2); }
-  /// Those at infinity included.
+  /// The number of vertices, those at infinity included.
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(outgoing_.size()); }
+  /// The number of half-edges, those at infinity included: three times that of the vertices.
   std::uint32_t halfedge_count() const noexcept { return static_cast<std::uint32_t>(halfedges_.size()); }
 
   /// The k sites of a cell, ascending.
@@ -78,22 +82,26 @@ class OrderKVoronoi {
   VoronoiHalfedgeId halfedge(CellId c) const noexcept {
     return VoronoiHalfedgeId(halfedges_.empty() ? kNone : first_[c.index()]);
   }
-  /// Whether the cell reaches to infinity.
+  /// Whether the cell reaches to infinity. Complexity: O(edges) of the cell.
   bool unbounded(CellId c) const noexcept;
 
   /// The half-edge in the opposite direction. Always valid.
   VoronoiHalfedgeId twin(VoronoiHalfedgeId h) const noexcept {
     return VoronoiHalfedgeId(halfedges_[h.index()].twin);
   }
+  /// The half-edge that follows around the cell, counter-clockwise.
   VoronoiHalfedgeId next(VoronoiHalfedgeId h) const noexcept {
     const std::uint32_t f = cycle_of(h);
     return VoronoiHalfedgeId(h.index() + 1 == first_[f + 1] ? first_[f] : h.index() + 1);
   }
+  /// The half-edge that precedes around the cell.
   VoronoiHalfedgeId prev(VoronoiHalfedgeId h) const noexcept {
     const std::uint32_t f = cycle_of(h);
     return VoronoiHalfedgeId((h.index() == first_[f] ? first_[f + 1] : h.index()) - 1);
   }
+  /// The vertex from which h runs.
   VoronoiVertexId origin(VoronoiHalfedgeId h) const noexcept { return VoronoiVertexId(origin_[h.index()]); }
+  /// The vertex to which h runs.
   VoronoiVertexId dest(VoronoiHalfedgeId h) const noexcept { return origin(twin(h)); }
   /// The cell on the left; invalid for the outside.
   CellId face(VoronoiHalfedgeId h) const noexcept { return across(twin(h)); }
@@ -103,9 +111,10 @@ class OrderKVoronoi {
     return f == cell_count() ? CellId() : CellId(f);
   }
 
-  /// The site that the cell across h has and the cell of h has not, and the other way around: the edge is on
-  /// the bisector of the two. Invalid at infinity. Law: gain(h) == loss(twin(h)).
+  /// The site that the cell across h has and the cell of h has not: the edge is on the bisector of gain(h)
+  /// and loss(h). Invalid at infinity. Law: gain(h) == loss(twin(h)).
   VertexId gain(VoronoiHalfedgeId h) const noexcept { return row(halfedges_[h.index()].gain); }
+  /// The site that the cell of h has and the cell across has not. Invalid at infinity.
   VertexId loss(VoronoiHalfedgeId h) const noexcept { return row(halfedges_[h.index()].loss); }
   /// Whether h is on an edge at infinity.
   bool at_infinity(VoronoiHalfedgeId h) const noexcept { return halfedges_[h.index()].gain == kNone; }
@@ -119,9 +128,10 @@ class OrderKVoronoi {
   Triangle circle(VoronoiVertexId v) const noexcept;
   /// How many sites are inside the circle of v, under the perturbation: k - 1 or k - 2.
   unsigned inside(VoronoiVertexId v) const noexcept { return order_ - (v.index() < old_count_ ? 2 : 1); }
+  /// Whether v is where a ray ends.
   bool at_infinity(VoronoiVertexId v) const noexcept { return at_infinity(prev(outgoing(v))); }
 
-  /// Calls visit(VoronoiHalfedgeId) for every half-edge of a cell, counter-clockwise.
+  /// Calls visit(VoronoiHalfedgeId) for every half-edge of a cell, counter-clockwise. Complexity: O(edges).
   template <class Visit>
   void for_each_halfedge(CellId c, Visit&& visit) const {
     for (std::uint32_t h = first_[c.index()]; h < first_[c.index() + 1]; ++h) visit(VoronoiHalfedgeId(h));
@@ -133,7 +143,8 @@ class OrderKVoronoi {
   CellId locate(Point2 q) const;
 
   /// The cell that holds the centre of the circle through u, v, w, which is not computed: each comparison is
-  /// one exact predicate of degree 4. Ties as in `locate`. Requires: u, v, w counter-clockwise.
+  /// one exact predicate of degree 4. Ties as in `locate`. Requires: u, v, w counter-clockwise. Complexity:
+  /// as `locate`.
   CellId locate_centre(VertexId u, VertexId v, VertexId w) const;
 
   /// The k nearest sites of q, nearest first, equal distances by (x, y). Exact. Requires: finite q.
@@ -193,7 +204,7 @@ class OrderKVoronoi {
 /// if ids do not suffice (half-edges: beyond about 358e6 / k points). Complexity: O(k^2 n + n log n)
 /// expected; memory per site about 8 k^2 + 260 k bytes, and 415 k at the peak. Source: Lee 1982, the
 /// iteration over orders; see src/order/voronoi_map.hpp and voronoi_hole.hpp.
-Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k,
-                                      const OrderKVoronoiOptions& options = {});
+THALWEG_EXPORT Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k,
+                                                     const OrderKVoronoiOptions& options = {});
 
 }  // namespace thalweg

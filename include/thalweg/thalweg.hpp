@@ -4,6 +4,7 @@
 #include "thalweg/circle_count.hpp"
 #include "thalweg/delaunay.hpp"
 #include "thalweg/drainage.hpp"
+#include "thalweg/export.hpp"
 #include "thalweg/hard_instances.hpp"
 #include "thalweg/id.hpp"
 #include "thalweg/minimize.hpp"
@@ -17,3 +18,8 @@
 #include "thalweg/validate.hpp"
 #include "thalweg/version.hpp"
 #include "thalweg/voronoi_counter.hpp"
+
+/// Terrains without false pits: a geometry kernel of exact predicates, Delaunay triangulations and their
+/// neighbours of higher order, and what to do with it about pits. Nothing in it prints, exits or throws, but
+/// that std::bad_alloc passes; there is no state but in objects, and `const` is safe for concurrent readers.
+namespace thalweg {}

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/export.hpp"
 #include "thalweg/order_k_voronoi.hpp"
 
 namespace thalweg {
@@ -12,7 +13,7 @@ namespace thalweg {
 /// Answers the question of `CircleCounter` with an order-k Voronoi diagram: locate the centre of the circle;
 /// the k sites of its cell are the nearest, so those inside the circle, if they are fewer than k, are among
 /// them. The diagram is shared among counters.
-class VoronoiCounter {
+class THALWEG_EXPORT VoronoiCounter {
  public:
   /// Requires: `diagram` outlives the counter. To count up to k sites its order must be k + 1 (or all sites).
   explicit VoronoiCounter(const OrderKVoronoi& diagram) noexcept : diagram_(&diagram) {}
@@ -24,7 +25,7 @@ class VoronoiCounter {
   unsigned count_in_circle(VertexId u, VertexId v, VertexId w, unsigned limit);
 
   /// The sites that the last `count_in_circle` found inside: all of them, if they were not more than its
-  /// limit.
+  /// limit. Requires: it has been called.
   std::span<const VertexId> inside() const noexcept { return inside_; }
 
   /// How often `count_in_circle` was called.

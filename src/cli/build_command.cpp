@@ -25,8 +25,9 @@ namespace thalweg::cli {
 namespace {
 
 constexpr std::array kMeshFormats = {io::Format::ply,    io::Format::ply_ascii, io::Format::obj,
-                                     io::Format::two_dm, io::Format::csv,       io::Format::tsv,
-                                     io::Format::xyz,    io::Format::svg,       io::Format::html};
+                                     io::Format::two_dm, io::Format::tlw,       io::Format::npy,
+                                     io::Format::csv,    io::Format::tsv,       io::Format::xyz,
+                                     io::Format::svg,    io::Format::html};
 constexpr std::array kPitFormats = {io::Format::geojson, io::Format::csv, io::Format::tsv};
 
 constexpr const char* kFooter =
@@ -35,8 +36,10 @@ constexpr const char* kFooter =
     "compared, so their unit is free. No coordinate is ever changed. Vertices of every output are in the "
     "order of\n"
     "the input rows, rows merged into others left out; `vertex` in --json and --pits counts them from 0.\n"
-    "The suffix of an output chooses its format: .ply, .obj, .2dm (meshes), .csv, .tsv, .xyz (vertices "
-    "alone), .html and .svg as --report.\n"
+    "The suffix of an output chooses its format: .ply, .obj, .2dm, .tlw (meshes), .csv, .tsv, .xyz "
+    "(vertices\n"
+    "alone), .npy (triangles alone: an array (m, 3) of the numbers of their corners, from 0); .html and .svg "
+    "as --report.\n"
     "\n"
     "Examples:\n"
     "  thalweg build points.xyz -o terrain.ply\n"
@@ -105,7 +108,7 @@ Result<BuildTargets> check_targets(const BuildOptions& options) {
 
 /// Tells the memory that is needed, and refuses what --max-memory forbids.
 std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t points, Console& console) {
-  const std::uint64_t needed = estimate_build_memory(points);
+  const std::uint64_t needed = estimate_build_memory(points, options.method);
   const std::uint64_t machine = machine_memory_bytes();
   console.detail(options.points + ": " + counted(points, "point", "points") + ", about " +
                  format_bytes(needed) + " of memory needed");
@@ -113,7 +116,7 @@ std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t 
     console.warn("about " + format_bytes(needed) + " of memory is needed and this machine has " +
                  format_bytes(machine) + ": cut the points into tiles if it does not suffice");
   }
-  const auto refusal = over_limit(points, options.max_memory);
+  const auto refusal = over_limit(points, options.method, options.max_memory);
   if (!refusal) return std::nullopt;
   return console.fail(ExitCode::resources, options.points + ": " + *refusal);
 }
@@ -261,7 +264,8 @@ Command add_build(CLI::App& thalweg) {
   const auto options = std::make_shared<BuildOptions>();
   CLI::App* app =
       thalweg.add_subcommand("build", "Points in, a terrain of order k with as few pits as possible out");
-  app->add_option("POINTS", options->points, "File of points (xyz, csv, tsv), grid (asc) or mesh; - is stdin")
+  app->add_option("POINTS", options->points,
+                  "File of points (xyz, csv, tsv, tlw, npy), grid (asc) or mesh; - is stdin")
       ->required();
   add_output_options(*app, options->outputs, "Mesh to write; may be given several times; - is stdout");
   add_order(*app, "Most sites that any circumcircle may hold (default: 8)",

@@ -259,7 +259,7 @@ Command add_check(CLI::App& thalweg) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* app =
       thalweg.add_subcommand("check", "Is this mesh a triangulation, of what order, with what pits?");
-  app->add_option("MESH", options->mesh, "Mesh to check (ply, obj, 2dm); - is stdin")->required();
+  app->add_option("MESH", options->mesh, "Mesh to check (ply, obj, 2dm, tlw); - is stdin")->required();
   add_order(*app, "Fail if a triangle has a higher order than K (default: only tell the order)",
             [options](unsigned k) { options->order = k; });
   app->add_option("--points", options->points, "Fail unless the vertices are the points of FILE, bit for bit")

@@ -35,7 +35,7 @@ std::optional<unsigned> parse_unsigned(const std::string& text, unsigned most) {
 }  // namespace
 
 io::OutputOptions RunOptions::output() const {
-  return {.overwrite = overwrite, .cancel = &interrupted()};
+  return {.overwrite = overwrite, .cancel = &interrupted(), .threads = threads};
 }
 
 io::ReadOptions InputOptions::reader(const RunOptions& run) const {

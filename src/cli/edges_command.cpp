@@ -184,7 +184,8 @@ ExitCode run_edges(const EdgesOptions& options, Console& console) {
 Command add_edges(CLI::App& thalweg) {
   const auto options = std::make_shared<EdgesOptions>();
   CLI::App* app = thalweg.add_subcommand("edges", "Every pair of points of useful order at most K");
-  app->add_option("POINTS", options->points, "File of points (xyz, csv, tsv), grid (asc) or mesh; - is stdin")
+  app->add_option("POINTS", options->points,
+                  "File of points (xyz, csv, tsv, tlw, npy), grid (asc) or mesh; - is stdin")
       ->required();
   add_order(*app, "Largest useful order", [options](unsigned k) { options->order = k; })->required();
   add_output_options(*app, options->outputs, "File .csv to write; - is stdout");

@@ -194,7 +194,8 @@ void describe(const GenerateOptions& options, const Generated& generated, Consol
 ExitCode run_generate(const GenerateOptions& options, Console& console) {
   console.configure(options.run.bar, options.run.quiet, options.run.verbose);
   if (const auto fault = fault_of(options)) return console.fail(ExitCode::usage, *fault);
-  constexpr std::array kFormats = {io::Format::xyz, io::Format::csv, io::Format::tsv};
+  constexpr std::array kFormats = {io::Format::xyz, io::Format::csv, io::Format::tsv, io::Format::tlw,
+                                   io::Format::npy};
   const Result<std::vector<FormattedPath>> targets = choose_formats(options.outputs, kFormats, "points");
   if (!targets) return console.fail(targets.error());
   const std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
@@ -229,7 +230,8 @@ Command add_generate(CLI::App& thalweg) {
   app->add_option("--segments", options->segments,
                   "Segments of a hard instance, lines x1 y1 x2 y2 of whole numbers; - is stdin")
       ->option_text("FILE|-");
-  add_output_options(*app, options->outputs, "File of points to write (xyz, csv, tsv); - is stdout");
+  add_output_options(*app, options->outputs,
+                     "File of points to write (xyz, csv, tsv, tlw, npy); - is stdout");
   app->get_option("--output")->required();
   add_run_options(*app, options->run);
   app->footer(kFooter);

@@ -163,6 +163,7 @@ Result<FileFacts> read_facts(const InfoOptions& options) {
     case io::Format::ply:
     case io::Format::ply_ascii:
     case io::Format::two_dm:
+    case io::Format::tlw:
       return read_as_mesh(options);
     default:
       return read_as_points(options);
@@ -190,7 +191,7 @@ Json summarize(const InfoOptions& options, const FileFacts& facts) {
                        {"cell", {facts.grid->dx, facts.grid->dy}}};
   }
   if (facts.triangles) summary["triangles"] = *facts.triangles;
-  summary["build_memory_bytes"] = estimate_build_memory(points.points);
+  summary["build_memory_bytes"] = estimate_build_memory(points.points, Method::best);
   return summary;
 }
 
@@ -220,7 +221,9 @@ void describe(const InfoOptions& options, const FileFacts& facts, Console& conso
   }
   if (!facts.crs.empty()) console.note("  crs         " + facts.crs);
   if (facts.triangles) console.note("  triangles   " + std::to_string(*facts.triangles));
-  console.note("  build needs about " + format_bytes(estimate_build_memory(points.points)) + " of memory");
+  console.note("  build needs about " + format_bytes(estimate_build_memory(points.points, Method::best)) +
+               " of memory, with -m flip " +
+               format_bytes(estimate_build_memory(points.points, Method::flip)));
   if (points.sites < 3) {
     console.warn(options.file + ": fewer than three sites: there is nothing to triangulate");
   } else if (points.collinear) {
@@ -256,7 +259,7 @@ Command add_info(CLI::App& thalweg) {
   CLI::App* app =
       thalweg.add_subcommand("info", "Counts, extent, duplicates, and the memory that build needs");
   app->add_option("FILE", options->file,
-                  "Points (xyz, csv, tsv), grid (asc) or mesh (ply, obj, 2dm); - is stdin")
+                  "Points (xyz, csv, tsv, npy), grid (asc) or mesh (ply, obj, 2dm, tlw); - is stdin")
       ->required();
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);

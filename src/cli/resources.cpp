@@ -35,14 +35,18 @@ std::uint64_t machine_memory_bytes() noexcept {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size);
 }
 
-std::uint64_t estimate_build_memory(std::uint64_t points) noexcept {
-  constexpr std::uint64_t kBytesPerPoint = 420;
+std::uint64_t estimate_build_memory(std::uint64_t points, Method method) noexcept {
+  // Measured, by the peak memory that --json reports.
   constexpr std::uint64_t kFixed = std::uint64_t{16} << 20;
-  return kFixed + points * kBytesPerPoint;
+  constexpr std::uint64_t kInput = 24;  // a point: three doubles
+  constexpr std::uint64_t kBest = 230;  // and delaunay, hull, exact
+  constexpr std::uint64_t kFlip = 300;
+  return kFixed + points * (kInput + (method == Method::flip ? kFlip : kBest));
 }
 
-std::optional<std::string> over_limit(std::uint64_t points, std::optional<std::uint64_t> limit) {
-  const std::uint64_t needed = estimate_build_memory(points);
+std::optional<std::string> over_limit(std::uint64_t points, Method method,
+                                      std::optional<std::uint64_t> limit) {
+  const std::uint64_t needed = estimate_build_memory(points, method);
   if (!limit || needed <= *limit) return std::nullopt;
   return counted(points, "point needs", "points need") + " about " + format_bytes(needed) +
          ", and --max-memory allows " + format_bytes(*limit) +

@@ -84,7 +84,8 @@ std::optional<Error> write_outputs(const SampleOptions& options, std::span<const
 
 ExitCode run_sample(const SampleOptions& options, Console& console) {
   console.configure(options.run.bar, options.run.quiet, options.run.verbose);
-  constexpr std::array kFormats = {io::Format::xyz, io::Format::csv, io::Format::tsv};
+  constexpr std::array kFormats = {io::Format::xyz, io::Format::csv, io::Format::tsv, io::Format::tlw,
+                                   io::Format::npy};
   const Result<std::vector<FormattedPath>> targets = choose_formats(options.outputs, kFormats, "points");
   if (!targets) return console.fail(targets.error());
   const std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
@@ -129,7 +130,8 @@ Command add_sample(CLI::App& thalweg) {
       [](const std::string& s) { return parse_whole(s, kMost); },
       [options](std::uint64_t s) { options->seed = s; })
       ->required();
-  add_output_options(*app, options->outputs, "File of points to write (xyz, csv, tsv); - is stdout");
+  add_output_options(*app, options->outputs,
+                     "File of points to write (xyz, csv, tsv, tlw, npy); - is stdout");
   app->get_option("--output")->required();
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);

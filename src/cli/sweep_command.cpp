@@ -147,7 +147,7 @@ Command add_sweep(CLI::App& thalweg) {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App* app = thalweg.add_subcommand("sweep", "Pits left by each method for a range of orders");
   app->add_option("POINTS", options->points,
-                  "Files of points (xyz, csv, tsv), grids (asc) or meshes; - is stdin")
+                  "Files of points (xyz, csv, tsv, tlw, npy), grids (asc) or meshes; - is stdin")
       ->required();
   add_parsed<OrderRange>(
       *app, "-k,--order", "A..B", "Orders to try: A..B, or one number (default: 0..10)",

@@ -254,7 +254,8 @@ ExitCode run_voronoi(const VoronoiOptions& options, Console& console) {
 Command add_voronoi(CLI::App& thalweg) {
   const auto options = std::make_shared<VoronoiOptions>();
   CLI::App* app = thalweg.add_subcommand("voronoi", "Where which K points are the nearest; nearest points");
-  app->add_option("POINTS", options->points, "File of points (xyz, csv, tsv), grid (asc) or mesh; - is stdin")
+  app->add_option("POINTS", options->points,
+                  "File of points (xyz, csv, tsv, tlw, npy), grid (asc) or mesh; - is stdin")
       ->required();
   add_order(*app, "Order of the diagram, from 1", [options](unsigned k) { options->order = k; })->required();
   app->add_option("--query", options->query, "Places `x y`, one a line, whose K nearest points are wanted")

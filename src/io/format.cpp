@@ -23,6 +23,8 @@ constexpr std::array kNames = {
     FormatName{"ply", Format::ply, false, true},
     FormatName{"ply-ascii", Format::ply_ascii, false, true},
     FormatName{"2dm", Format::two_dm, false, true},
+    FormatName{"tlw", Format::tlw, false, true},
+    FormatName{"npy", Format::npy, false, true},
     FormatName{"geojson", Format::geojson, false, false},
     FormatName{"txt", Format::xyz, true, true},
     FormatName{"dat", Format::xyz, true, true},

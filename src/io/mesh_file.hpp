@@ -1,4 +1,4 @@
-/// Triangle meshes as files hold them: OBJ, PLY, 2DM.
+/// Triangle meshes as files hold them: OBJ, PLY, 2DM, TLW.
 #pragma once
 
 #include <array>

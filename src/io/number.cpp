@@ -6,6 +6,8 @@
 #include <limits>
 #include <system_error>
 
+#include "io/decimal.hpp"
+
 namespace thalweg::io {
 namespace {
 
@@ -54,6 +56,7 @@ Scanned scan(const char* first, const char* last) noexcept {
     if (start != last && (*start == '-' || *start == '+')) return {nullptr, 0, false};
   }
   double value = 0;
+  if (const char* const simple = scan_decimal(start, last, value)) return {simple, value, false};
   const auto [end, fault] = std::from_chars(start, last, value);
   if (fault == std::errc()) return {end, value, false};
   if (fault != std::errc::result_out_of_range) return {nullptr, 0, false};
@@ -72,6 +75,7 @@ bool has_decimal_comma(std::string_view token) noexcept {
 }  // namespace
 
 const char* scan_number(const char* first, const char* last, double& value) noexcept {
+  if (const char* end = scan_decimal(first, last, value)) return end;
   const Scanned scanned = scan(first, last);
   if (scanned.end == nullptr || !std::isfinite(scanned.value)) return nullptr;
   value = scanned.value;

@@ -15,6 +15,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/parallel.hpp"
+
 namespace thalweg::io {
 namespace {
 
@@ -145,6 +147,7 @@ Result<OutputFile> OutputFile::open(const std::string& path, const OutputOptions
   file.path_ = path;
   file.overwrite_ = options.overwrite;
   file.cancel_ = options.cancel;
+  file.threads_ = resolve_threads(options.threads);
   if (const auto descriptor = inherited_descriptor(path)) {
     file.descriptor_ = ::fcntl(*descriptor, F_DUPFD_CLOEXEC, 0);
     if (file.descriptor_ < 0) return unwritable(path, errno);
@@ -176,6 +179,7 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   descriptor_ = std::exchange(other.descriptor_, -1);
   overwrite_ = other.overwrite_;
   cancel_ = other.cancel_;
+  threads_ = other.threads_;
   buffer_ = std::move(other.buffer_);
   used_ = std::exchange(other.used_, 0);
   size_ = std::exchange(other.size_, 0);

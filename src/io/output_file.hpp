@@ -19,6 +19,8 @@ struct OutputOptions {
   bool overwrite = false;
   /// Looked at between chunks of output; once set, writing stops with ErrorCode::cancelled.
   const std::atomic<bool>* cancel = nullptr;
+  /// Rows of text are printed by this many threads, 0 for all of the machine; the bytes do not depend on it.
+  unsigned threads = 1;
 };
 
 /// What would keep `path` from being written: nothing, or an Error `exists` or `unwritable`. Touches nothing,
@@ -49,6 +51,9 @@ class OutputFile {
   /// untouched.
   [[nodiscard]] std::optional<Error> commit();
 
+  /// How many threads a writer may use to print: at least 1.
+  unsigned threads() const noexcept { return threads_; }
+
   /// Bytes accepted so far.
   std::uint64_t size() const noexcept { return size_; }
 
@@ -66,6 +71,7 @@ class OutputFile {
   int descriptor_ = -1;
   bool overwrite_ = false;
   const std::atomic<bool>* cancel_ = nullptr;
+  unsigned threads_ = 1;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
   std::uint64_t size_ = 0;

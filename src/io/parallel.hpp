@@ -1,6 +1,7 @@
 /// Runs a few independent tasks at once.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <system_error>
@@ -8,6 +9,11 @@
 #include <vector>
 
 namespace thalweg::io {
+
+/// The number of threads that `asked` stands for: itself, or for 0 the machine's. Returns at least 1.
+inline unsigned resolve_threads(unsigned asked) noexcept {
+  return asked != 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
+}
 
 /// Calls task(i) for every i < count, each on a thread of its own as far as the system grants them, the rest
 /// here. What a task throws (std::bad_alloc) is thrown again once all have ended.

@@ -121,8 +121,19 @@ bool read_lines(TextScanner& scanner, PlyHeader& header) {
   return false;
 }
 
+/// Whether the header ends within this beginning of a file, with the end of its last line.
+bool has_whole_header(std::string_view beginning) {
+  TextScanner scanner(beginning, {}, 0);
+  while (scanner.next_line()) {
+    if (scanner.word() == "end_header") return !scanner.remaining().empty();
+  }
+  return false;
+}
+
 std::optional<Error> find_shortage(const InputFile& input, const PlyHeader& header) {
-  std::uint64_t room = header.body.size() + 1;  // the last line may lack its end
+  const auto size = input.size();
+  if (!size) return std::nullopt;
+  std::uint64_t room = *size - header.size + 1;  // the last line may lack its end
   for (const PlyElement& element : header.elements) {
     const std::size_t least = element.least_size(header.encoding);
     if (least == 0) continue;
@@ -139,15 +150,6 @@ std::optional<Error> find_shortage(const InputFile& input, const PlyHeader& head
 
 }  // namespace
 
-std::size_t size_of(PlyType type) noexcept {
-  constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
-}
-
-bool is_real(PlyType type) noexcept {
-  return type == PlyType::float32 || type == PlyType::float64;
-}
-
 std::size_t PlyElement::least_size(PlyEncoding encoding) const noexcept {
   if (encoding == PlyEncoding::ascii) return 2 * properties.size();
   std::size_t size = 0;
@@ -156,19 +158,25 @@ std::size_t PlyElement::least_size(PlyEncoding encoding) const noexcept {
   return size;
 }
 
-Result<PlyHeader> parse_ply_header(const InputFile& input) {
-  TextScanner scanner(input.bytes(), input.name, 0);
+Result<PlyHeader> parse_ply_header(InputFile& input) {
+  while (!input.at_end() && input.bytes().starts_with("ply") && !has_whole_header(input.bytes())) {
+    if (auto error = input.load_more()) return std::move(*error);
+  }
+  TextScanner scanner(input.bytes(), input.name(), 0);
   if (!scanner.next_line() || scanner.word() != "ply") {
-    return line_error(input.name, 1,
+    return line_error(input.name(), 1,
                       "the first line of a PLY file must be `ply`: say what it is with --from");
   }
   PlyHeader header;
   if (!read_lines(scanner, header)) {
     if (scanner.fault()) return *scanner.fault();
-    return line_error(input.name, scanner.line_number(), "the file ends in its header: it is cut short");
+    return line_error(input.name(), scanner.line_number(), "the file ends in its header: it is cut short");
   }
-  header.body = scanner.remaining();
+  header.size = input.bytes().size() - scanner.remaining().size();
   header.lines = scanner.line_number();
+  if (header.encoding == PlyEncoding::ascii) {
+    if (auto error = input.load_all()) return std::move(*error);
+  }
   if (auto error = find_shortage(input, header)) return std::move(*error);
   return header;
 }

@@ -8,17 +8,14 @@
 #include <vector>
 
 #include "io/input_file.hpp"
+#include "io/scalar.hpp"
 #include "thalweg/result.hpp"
 
 namespace thalweg::io {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-/// Bytes of one value in a binary file.
-std::size_t size_of(PlyType type) noexcept;
-bool is_real(PlyType type) noexcept;
+using PlyType = ScalarType;  // but for the whole numbers of 64 bits
 
 struct PlyProperty {
   std::string name;
@@ -41,13 +38,14 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
   std::string crs;          ///< of a line `comment crs: ...`
-  std::string_view body;    ///< what follows the header; a part of the input
+  std::size_t size = 0;     ///< bytes of the header: where the body begins
   std::uint64_t lines = 0;  ///< of the header
 };
 
-/// Errors: malformed, naming the line; also if the file is too short for what the header promises, so that a
-/// reader may reserve room for `count` elements of any kind without asking for more than a small multiple of
-/// the size of the file.
-Result<PlyHeader> parse_ply_header(const InputFile& input);
+/// Loads the header and reads it; of an ascii file all is loaded. Errors: malformed, naming the line; also if
+/// the file is too short for what the header promises, so that a reader may reserve room for `count` elements
+/// of any kind without asking for more than a small multiple of the size of the file. Of a pipe the size may
+/// not be known yet: then InputFile::unread says nothing.
+Result<PlyHeader> parse_ply_header(InputFile& input);
 
 }  // namespace thalweg::io

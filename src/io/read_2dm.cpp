@@ -63,7 +63,7 @@ bool read_line(TextScanner& scanner, Faces faces, Reading& reading) {
 }
 
 std::uint64_t line_of(const InputFile& input, std::string_view keyword, std::size_t nth) {
-  TextScanner scanner(input.text(), input.name);
+  TextScanner scanner(input.text(), input.name());
   while (scanner.next_line()) {
     if (scanner.word() == keyword && nth-- == 0) break;
   }
@@ -107,9 +107,9 @@ class NodeIndex {
 
 Result<MeshFile> parse_2dm(const InputFile& input, Faces faces) {
   if (auto fault = find_text_fault(input)) return std::move(*fault);
-  TextScanner scanner(input.text(), input.name);
+  TextScanner scanner(input.text(), input.name());
   if (!scanner.next_line() || scanner.word() != "MESH2D") {
-    return line_error(input.name, scanner.line_number(),
+    return line_error(input.name(), scanner.line_number(),
                       "the first word of a 2DM file must be MESH2D: say what it is with --from");
   }
   Reading reading;
@@ -119,7 +119,7 @@ Result<MeshFile> parse_2dm(const InputFile& input, Faces faces) {
   const NodeIndex index(reading.id);
   if (const auto node = index.find_duplicate()) {
     return line_error(
-        input.name, line_of(input, "ND", *node),
+        input.name(), line_of(input, "ND", *node),
         "node " + std::to_string(reading.id[*node]) + " is there already: give each node an id of its own");
   }
   for (std::size_t i = 0; i < reading.mesh.triangles.size(); ++i) {
@@ -127,7 +127,7 @@ Result<MeshFile> parse_2dm(const InputFile& input, Faces faces) {
       const auto vertex = index.find(corner);
       if (!vertex) {
         return line_error(
-            input.name, line_of(input, "E3T", i),
+            input.name(), line_of(input, "E3T", i),
             "node " + std::to_string(corner) + " does not exist: add it or correct the element");
       }
       corner = *vertex;

@@ -152,12 +152,12 @@ bool read_values(TextScanner& scanner, std::uint64_t cells, Grid& grid) {
 
 Result<Grid> parse_grid(const InputFile& input, const ReadOptions& options) {
   if (auto fault = find_text_fault(input)) return std::move(*fault);
-  TextScanner scanner(input.text(), input.name, 0);
+  TextScanner scanner(input.text(), input.name(), 0);
   GridHeader header;
   const bool has_values = read_header(scanner, header);
   if (scanner.fault()) return *scanner.fault();
   if (const auto key = missing_key(header)) {
-    return line_error(input.name, scanner.line_number(),
+    return line_error(input.name(), scanner.line_number(),
                       "the header has no " + std::string(*key) + ": an ESRI ASCII grid needs it");
   }
   Grid grid;
@@ -166,10 +166,10 @@ Result<Grid> parse_grid(const InputFile& input, const ReadOptions& options) {
   grid.nodata = options.nodata ? *options.nodata : header.nodata.value_or(-9999);
   const std::uint64_t cells = std::uint64_t{grid.columns} * grid.rows;
   // A value takes two bytes at least, so a header cannot ask for more room than the file accounts for.
-  grid.values.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(cells, input.size / 2 + 1)));
+  grid.values.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(cells, input.bytes().size() / 2 + 1)));
   if (has_values && !read_values(scanner, cells, grid)) return *scanner.fault();
   if (grid.values.size() < cells) {
-    return line_error(input.name, scanner.line_number(),
+    return line_error(input.name(), scanner.line_number(),
                       "the file ends after " + std::to_string(grid.values.size()) + " of the " +
                           std::to_string(cells) + " values that " + std::to_string(grid.columns) +
                           " columns times " + std::to_string(grid.rows) +

@@ -63,7 +63,7 @@ bool read_line(TextScanner& scanner, Faces faces, MeshFile& mesh) {
 
 // The line of a face, found again only once it is known to be faulty.
 std::uint64_t line_of_face(const InputFile& input, std::size_t face) {
-  TextScanner scanner(input.text(), input.name);
+  TextScanner scanner(input.text(), input.name());
   while (scanner.next_line()) {
     if (scanner.word() == "f" && face-- == 0) break;
   }
@@ -75,14 +75,14 @@ std::uint64_t line_of_face(const InputFile& input, std::size_t face) {
 Result<MeshFile> parse_obj(const InputFile& input, Faces faces) {
   if (auto fault = find_text_fault(input)) return std::move(*fault);
   MeshFile mesh;
-  TextScanner scanner(input.text(), input.name);
+  TextScanner scanner(input.text(), input.name());
   while (scanner.next_line() && read_line(scanner, faces, mesh)) {
   }
   if (scanner.fault()) return *scanner.fault();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t vertex : mesh.triangles[i]) {
       if (vertex < mesh.points.size()) continue;
-      return line_error(input.name, line_of_face(input, i),
+      return line_error(input.name(), line_of_face(input, i),
                         "vertex " + std::to_string(std::uint64_t{vertex} + 1) +
                             " does not exist: there are " + std::to_string(mesh.points.size()) +
                             ", numbered from 1");

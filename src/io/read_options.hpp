@@ -16,7 +16,7 @@ struct ReadOptions {
   /// Rows or cells with exactly this z are skipped and counted. May be NaN: then a z of NaN is skipped, not
   /// refused.
   std::optional<double> nodata = std::nullopt;
-  /// Rows are parsed by this many threads; the result does not depend on it.
+  /// Rows are parsed by this many threads, 0 for all of the machine; the result does not depend on it.
   unsigned threads = 1;
   /// Set by another thread or a signal handler to make reading stop with ErrorCode::cancelled.
   const std::atomic<bool>* cancel = nullptr;

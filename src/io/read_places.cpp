@@ -42,7 +42,7 @@ Result<std::vector<Point2>> read_places(const std::string& path, const ReadOptio
   const Result<InputFile> input = read_input(path, options);
   if (!input) return input.error();
   if (auto fault = find_text_fault(*input)) return *fault;
-  TextScanner lines(input->text(), input->name);
+  TextScanner lines(input->text(), input->name());
   std::vector<Point2> places;
   for (bool first = true; lines.next_line(); first = false) {
     if (options.cancel != nullptr && *options.cancel) return Error{ErrorCode::cancelled, "interrupted"};
@@ -51,7 +51,7 @@ Result<std::vector<Point2>> read_places(const std::string& path, const ReadOptio
     if (!fault) {
       places.push_back(place);
     } else if (!first || fault->fault != NumberFault::not_a_number) {
-      return line_error(input->name, lines.line_number(),
+      return line_error(input->name(), lines.line_number(),
                         describe(fault->fault, fault->field) + ": each line must begin with x and y");
     }
   }

@@ -34,9 +34,9 @@ Result<SegmentFile> read_segments(const std::string& path, const ReadOptions& op
   const Result<InputFile> input = read_input(path, options);
   if (!input) return input.error();
   if (auto fault = find_text_fault(*input)) return *std::move(fault);
-  TextScanner scanner(input->text(), input->name);
+  TextScanner scanner(input->text(), input->name());
   SegmentFile file;
-  file.name = input->name;
+  file.name = input->name();
   LatticeSegment segment;
   while (scanner.next_line() && read_segment(scanner, segment)) {
     file.segments.push_back(segment);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/line_blocks.hpp"
 #include "io/number.hpp"
 #include "io/parallel.hpp"
 #include "io/readers.hpp"
@@ -36,13 +37,16 @@ RowPlan plan_rows(const TableLayout& layout, const ReadOptions& options) {
   return plan;
 }
 
-/// Walks over the fields of one line. With blanks as delimiter a run of them separates, else every delimiter
-/// does.
+/// Walks over the fields of the line at `first`. With blanks as delimiter a run of them separates, else every
+/// delimiter does.
 template <bool by_blanks>
 class FieldCursor {
  public:
+  /// `last`: the end of the text.
   FieldCursor(const char* first, const char* last, char delimiter)
       : at_(first), last_(last), delimiter_(delimiter) {}
+
+  const char* position() const { return at_; }
 
   /// Whether the line may be a comment, whose words are no fields.
   bool at_comment() {
@@ -52,26 +56,20 @@ class FieldCursor {
 
   bool skip_field() {
     skip_blanks();
-    if (at_ == last_ || *at_ == '"') return false;
-    if constexpr (by_blanks) {
-      while (at_ != last_ && !is_blank(*at_)) ++at_;
-      return true;
-    } else {
-      at_ = static_cast<const char*>(std::memchr(at_, delimiter_, static_cast<std::size_t>(last_ - at_)));
-      if (at_ == nullptr) return false;
-      ++at_;
-      return true;
-    }
+    if (at_ != last_ && *at_ == '"') return false;
+    while (at_ != last_ && *at_ != '\n' && !(by_blanks ? is_blank(*at_) : *at_ == delimiter_)) ++at_;
+    if (at_ == last_ || *at_ == '\n') return false;
+    if constexpr (!by_blanks) ++at_;
+    return true;
   }
 
   bool number(double& value) {
     skip_blanks();
     at_ = scan_number(at_, last_, value);
     if (at_ == nullptr) return false;
-    if constexpr (by_blanks) return at_ == last_ || is_blank(*at_);
+    if constexpr (by_blanks) return at_line_end() || is_blank(*at_);
     skip_blanks();
-    if (at_ == last_) return true;
-    return *at_++ == delimiter_;
+    return at_line_end() || *at_++ == delimiter_;
   }
 
  private:
@@ -79,25 +77,30 @@ class FieldCursor {
   void skip_blanks() {
     while (at_ != last_ && is_blank(*at_)) ++at_;
   }
+  bool at_line_end() const {
+    if (at_ == last_ || *at_ == '\n') return true;
+    return *at_ == '\r' && (at_ + 1 == last_ || at_[1] == '\n');
+  }
 
   const char* at_;
   const char* last_;
   char delimiter_;
 };
 
-// The common row, fast. False for anything out of the ordinary, faults included: study_row decides then.
+// The common row, fast: where its last number ends. nullptr for anything out of the ordinary, faults
+// included: study_row decides then.
 template <bool by_blanks>
-bool scan_row(const char* first, const char* last, const RowPlan& plan, std::array<double, 3>& place) {
+const char* scan_row(const char* first, const char* last, const RowPlan& plan, std::array<double, 3>& place) {
   FieldCursor<by_blanks> cursor(first, last, plan.delimiter);
-  if (cursor.at_comment()) return false;
+  if (cursor.at_comment()) return nullptr;
   std::size_t column = 0;
   for (std::size_t i = 0; i < 3; ++i, ++column) {
     for (; column < plan.column[i]; ++column) {
-      if (!cursor.skip_field()) return false;
+      if (!cursor.skip_field()) return nullptr;
     }
-    if (!cursor.number(place[plan.axis[i]])) return false;
+    if (!cursor.number(place[plan.axis[i]])) return nullptr;
   }
-  return true;
+  return cursor.position();
 }
 
 enum class RowKind { point, nodata, nothing, faulty };
@@ -147,45 +150,49 @@ RowStudy study_row(std::string_view line, const RowPlan& plan, std::array<double
   return shorter.kind == RowKind::point || shorter.kind == RowKind::nodata ? shorter : study;
 }
 
-/// What came of one part of the text.
+/// What came of one part of the text, with line ends at its borders.
 struct Part {
   std::string_view text;
-  std::vector<Point3> points;
   std::uint64_t skipped = 0;
   std::uint64_t lines = 0;  // up to the fault, if there is one
   std::optional<std::string> fault;
 };
 
+// The end of the line in which `at` is: its line end, or that of the text.
+const char* line_end(const char* at, const char* last) {
+  const void* newline = std::memchr(at, '\n', static_cast<std::size_t>(last - at));
+  return newline != nullptr ? static_cast<const char*>(newline) : last;
+}
+
 template <bool by_blanks>
-void parse_part(const RowPlan& plan, Part& part) {
-  constexpr std::size_t kShortestRow = 6;  // "1 2 3\n"
-  const auto newlines = static_cast<std::size_t>(std::count(part.text.begin(), part.text.end(), '\n'));
-  part.points.reserve(std::min(newlines, part.text.size() / kShortestRow) + 1);
+void parse_part(const RowPlan& plan, Part& part, std::vector<Point3>& points) {
   const char* at = part.text.data();
   const char* const last = at + part.text.size();
   std::array<double, 3> place{};
   while (at != last) {
-    const void* newline = std::memchr(at, '\n', static_cast<std::size_t>(last - at));
-    const char* const stop = newline != nullptr ? static_cast<const char*>(newline) : last;
-    const char* const end = stop != at && stop[-1] == '\r' ? stop - 1 : stop;
-    const std::string_view line(at, static_cast<std::size_t>(end - at));
-    at = newline != nullptr ? stop + 1 : last;
     ++part.lines;
     RowKind kind = RowKind::point;
-    if (!scan_row<by_blanks>(line.data(), end, plan, place)) {
-      if (is_comment_or_blank(line)) continue;
-      RowStudy study = study_row(line, plan, place);
+    const char* stop = scan_row<by_blanks>(at, last, plan, place);
+    if (stop != nullptr) {
+      if (stop != last && *stop != '\n') stop = line_end(stop, last);
+    } else {
+      stop = line_end(at, last);
+      const char* const end = stop != at && stop[-1] == '\r' ? stop - 1 : stop;
+      const std::string_view line(at, static_cast<std::size_t>(end - at));
+      RowStudy study{RowKind::nothing, {}};
+      if (!is_comment_or_blank(line)) study = study_row(line, plan, place);
       kind = study.kind;
       if (kind == RowKind::faulty) {
         part.fault = std::move(study.fault);
         return;
       }
     }
+    at = stop != last ? stop + 1 : last;
     if (kind == RowKind::nothing) continue;
     if (kind == RowKind::nodata || (plan.nodata && place[2] == *plan.nodata)) {
       ++part.skipped;
     } else {
-      part.points.push_back({place[0], place[1], place[2]});
+      points.push_back({place[0], place[1], place[2]});
     }
   }
 }
@@ -204,37 +211,112 @@ std::vector<Part> cut(std::string_view text, std::size_t count) {
   return parts;
 }
 
+/// Parses a text block by block, the parts of a block at once.
+class TableReader {
+ public:
+  TableReader(InputFile& input, const TableLayout& layout, const ReadOptions& options)
+      : input_(input),
+        plan_(plan_rows(layout, options)),
+        threads_(resolve_threads(options.threads)),
+        blocks_(input, std::min<std::size_t>(threads_, kMostParts) * kPartSize),
+        line_(layout.first_line) {}
+
+  Result<PointTable> read() {
+    for (;;) {
+      const Result<std::string_view> block = blocks_.next();
+      if (!block) return block.error();
+      if (block->empty()) return std::move(table_);
+      if (auto error = add(*block)) return std::move(*error);
+    }
+  }
+
+  /// A NUL byte in what has not been read yet; it tells more than any fault before it.
+  std::optional<Error> find_nul_in_rest(std::uint64_t first_line) {
+    for (std::uint64_t line = first_line;;) {
+      const Result<std::string_view> block = blocks_.next();
+      if (!block) return block.error();
+      if (block->empty()) return std::nullopt;
+      if (auto error = find_nul(input_, *block, line)) return error;
+      line += static_cast<std::uint64_t>(std::count(block->begin(), block->end(), '\n'));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPartSize = std::size_t{1} << 19;  // with its points it fits a core's cache
+  static constexpr std::size_t kMostParts = 64;
+  static constexpr std::size_t kSmallestPart = std::size_t{1} << 16;
+
+  std::optional<Error> add(std::string_view block) {
+    if (auto error = find_nul(input_, block, line_)) return error;
+    std::vector<Part> parts =
+        cut(block, std::clamp<std::size_t>(block.size() / kSmallestPart, 1,
+                                           std::min<std::size_t>(threads_, kMostParts)));
+    if (others_.size() < parts.size()) others_.resize(parts.size());
+    run_all(parts.size(), [&](std::size_t i) {
+      std::vector<Point3>& points = i == 0 ? table_.points : others_[i];
+      plan_.delimiter == ' ' ? parse_part<true>(plan_, parts[i], points)
+                             : parse_part<false>(plan_, parts[i], points);
+    });
+    const std::uint64_t first_line = line_;
+    for (const Part& part : parts) {
+      line_ += part.lines;
+      if (!part.fault) continue;
+      const auto lines = static_cast<std::uint64_t>(std::count(block.begin(), block.end(), '\n'));
+      Error fault = line_error(input_.name(), line_ - 1, *part.fault);
+      if (auto nul = find_nul_in_rest(first_line + lines)) return nul;
+      return fault;
+    }
+    gather(parts, block.size());
+    return find_excess(input_, table_.points.size());
+  }
+
+  // The points of the parts in their order, and room for those that the rest of the file will bring.
+  void gather(const std::vector<Part>& parts, std::size_t bytes) {
+    std::size_t count = table_.points.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      table_.skipped_nodata += parts[i].skipped;
+      if (i > 0) count += others_[i].size();
+    }
+    read_ += bytes;
+    const std::size_t next = count + count / (read_ / bytes) + 1;
+    if (next > table_.points.capacity()) reserve_large(table_.points, next + expected_rows(count));
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      table_.points.insert(table_.points.end(), others_[i].begin(), others_[i].end());
+      others_[i].clear();
+    }
+  }
+
+  // How many rows are still to come; of a pipe, which does not tell, half as many as came.
+  std::size_t expected_rows(std::size_t count) const {
+    const auto unread = input_.unread();
+    if (!unread) return count / 2;
+    return static_cast<std::size_t>(1.02 * static_cast<double>(count) * static_cast<double>(*unread) /
+                                    static_cast<double>(read_));
+  }
+
+  InputFile& input_;
+  RowPlan plan_;
+  unsigned threads_;
+  LineBlocks blocks_;
+  std::uint64_t line_;      // the number of the next line
+  std::uint64_t read_ = 0;  // bytes
+  PointTable table_;
+  std::vector<std::vector<Point3>> others_;  // of each part but the first
+};
+
 }  // namespace
 
-Result<PointTable> parse_table(const InputFile& input, const ReadOptions& options) {
+Result<PointTable> parse_table(InputFile& input, const ReadOptions& options) {
+  while (!input.at_end() && !has_opening(input.text())) {
+    if (auto error = input.load_more()) return std::move(*error);
+  }
   if (auto fault = find_text_fault(input)) return std::move(*fault);
   Result<TableLayout> layout = find_layout(input, options.columns);
-  if (!layout) return std::move(layout).error();
-
-  constexpr std::size_t kSmallestPart = std::size_t{1} << 16;
-  const RowPlan plan = plan_rows(*layout, options);
-  const std::size_t most = std::max<std::size_t>(1, layout->body.size() / kSmallestPart);
-  std::vector<Part> parts = cut(layout->body, std::min<std::size_t>(std::max(1u, options.threads), most));
-  run_all(parts.size(), [&](std::size_t i) {
-    plan.delimiter == ' ' ? parse_part<true>(plan, parts[i]) : parse_part<false>(plan, parts[i]);
-  });
-
-  PointTable table;
-  std::uint64_t line = layout->first_line - 1;
-  std::size_t total = 0;
-  for (const Part& part : parts) {
-    line += part.lines;
-    if (part.fault) return line_error(input.name, line, *part.fault);
-    total += part.points.size();
-    table.skipped_nodata += part.skipped;
-  }
-  table.points = std::move(parts[0].points);
-  if (parts.size() > 1) table.points.reserve(total);
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    table.points.insert(table.points.end(), parts[i].points.begin(), parts[i].points.end());
-    parts[i].points = {};
-  }
-  return table;
+  input.seek(layout ? static_cast<std::size_t>(layout->body.data() - input.bytes().data()) : 0);
+  TableReader reader(input, layout ? *layout : TableLayout{}, options);
+  if (layout) return reader.read();
+  if (auto nul = reader.find_nul_in_rest(1)) return std::move(*nul);
+  return std::move(layout).error();
 }
 
 }  // namespace thalweg::io

@@ -1,6 +1,11 @@
-/// One reader a format, each on content that is already in memory; read_points, read_grid and read_mesh
-/// choose among them.
+/// One reader a format, on content that is in memory unless it is said otherwise; read_points, read_grid and
+/// read_mesh choose among them.
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "io/grid.hpp"
 #include "io/input_file.hpp"
@@ -15,13 +20,30 @@ namespace thalweg::io {
 /// alone.
 enum class Faces { keep, ignore };
 
-Result<PointTable> parse_table(const InputFile& input, const ReadOptions& options);
+/// Begins with what is loaded of the input, and reads the rest in blocks.
+Result<PointTable> parse_table(InputFile& input, const ReadOptions& options);
 Result<Grid> parse_grid(const InputFile& input, const ReadOptions& options);
 Result<MeshFile> parse_obj(const InputFile& input, Faces faces);
-Result<MeshFile> parse_ply(const InputFile& input, Faces faces);
+/// Begins with what is loaded of the input, and reads the rest of a binary file in blocks.
+Result<MeshFile> parse_ply(InputFile& input, Faces faces);
 Result<MeshFile> parse_2dm(const InputFile& input, Faces faces);
 
-/// The largest number of vertices that 32-bit indices can name.
-inline constexpr std::uint64_t kMostPoints = 0xfffffffeu;
+/// The most points that 32-bit ids can triangulate: a half-edge, of which a site has six, has one too.
+inline constexpr std::uint64_t kMostPoints = 0x1fffffff;
+
+/// The error of an input with more points than that, if `count` is. Readers ask before they take memory for
+/// so many.
+std::optional<Error> find_excess(const InputFile& input, std::uint64_t count);
+
+/// Asks the system for huge pages, which make it several times cheaper to touch fresh memory. Only a hint.
+void prefer_huge_pages(void* data, std::size_t bytes) noexcept;
+
+/// Makes room for `count` items without touching it. Untouched room costs nothing, so a guess may be
+/// generous.
+template <class T>
+void reserve_large(std::vector<T>& items, std::size_t count) {
+  items.reserve(count);
+  prefer_huge_pages(items.data() + items.size(), (items.capacity() - items.size()) * sizeof(T));
+}
 
 }  // namespace thalweg::io

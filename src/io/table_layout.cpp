@@ -269,6 +269,11 @@ void split_fields(std::string_view line, char delimiter, std::vector<std::string
   }
 }
 
+bool has_opening(std::string_view beginning) {
+  const std::string_view last = find_opening(beginning).line[1];
+  return last.data() != nullptr && last.data() + last.size() != beginning.data() + beginning.size();
+}
+
 Result<TableLayout> find_layout(const InputFile& input, std::string_view columns) {
   Result<Wanted> parsed = parse_wanted(columns);
   if (!parsed) return std::move(parsed).error();
@@ -288,7 +293,7 @@ Result<TableLayout> find_layout(const InputFile& input, std::string_view columns
   if (header) {
     // A file of one line of words is more likely to be something else than a header without rows.
     if (auto fault = apply_header(first, wanted, layout))
-      return line_error(input.name, opening.number[0], *fault);
+      return line_error(input.name(), opening.number[0], *fault);
     if (opening.number[1] == 0)
       return input.error(ErrorCode::malformed, "has no points: there is only a header in it");
     row = 1;
@@ -302,13 +307,13 @@ Result<TableLayout> find_layout(const InputFile& input, std::string_view columns
     if (layout.delimiter == ' ' && fields.size() == first.size() + 1 &&
         (!wanted.given || wanted.names_any())) {
       return line_error(
-          input.name, opening.number[1],
+          input.name(), opening.number[1],
           "one column more than the header names: say which are x, y, z by number: --columns 2,3,4");
     }
   } else if (!apply_comment(opening.comment, first.size(), wanted, layout)) {
     if (wanted.names_any()) {
       return line_error(
-          input.name, opening.number[0],
+          input.name(), opening.number[0],
           "no header, so columns have no names: say which are x, y, z by number: --columns 1,2,3");
     }
     for (std::size_t axis = 0; axis < 3 && wanted.given; ++axis) layout.column[axis] = *wanted.number[axis];

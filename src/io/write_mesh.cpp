@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "io/npy.hpp"
 #include "io/row_writer.hpp"
+#include "io/tlw.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -24,34 +26,36 @@ std::string one_line(std::string_view text) {
   return out;
 }
 
+RowText& operator<<(RowText& out, const Point3& p) {
+  return out << p.x << ' ' << p.y << ' ' << p.z;
+}
+
+/// The corners, the first vertex of the mesh being number `first`.
+void put_corners(RowText& out, const IndexTriangle& t, std::uint64_t first) {
+  out << t[0] + first << ' ' << t[1] + first << ' ' << t[2] + first;
+}
+
 void write_obj(RowWriter& out, const MeshView& mesh) {
   out << "# thalweg terrain: " << mesh.points.size() << " vertices, " << mesh.triangles.size()
       << " triangles\n";
   if (!mesh.crs.empty()) out << "# crs: " << one_line(mesh.crs) << '\n';
-  for (const Point3& p : mesh.points) {
-    if (out.failed()) return;
-    out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  }
-  for (const IndexTriangle& t : mesh.triangles) {
-    if (out.failed()) return;
-    out << "f " << std::uint64_t{t[0]} + 1 << ' ' << std::uint64_t{t[1]} + 1 << ' ' << std::uint64_t{t[2]} + 1
-        << '\n';
-  }
+  out.rows(mesh.points.size(), [&](RowText& row, std::size_t i) { row << "v " << mesh.points[i] << '\n'; });
+  out.rows(mesh.triangles.size(), [&](RowText& row, std::size_t i) {
+    row << "f ";
+    put_corners(row, mesh.triangles[i], 1);
+    row << '\n';
+  });
 }
 
 void write_2dm(RowWriter& out, const MeshView& mesh) {
   out << "MESH2D\n";
-  std::uint64_t id = 0;
-  for (const Point3& p : mesh.points) {
-    if (out.failed()) return;
-    out << "ND " << ++id << ' ' << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  }
-  id = 0;
-  for (const IndexTriangle& t : mesh.triangles) {
-    if (out.failed()) return;
-    out << "E3T " << ++id << ' ' << std::uint64_t{t[0]} + 1 << ' ' << std::uint64_t{t[1]} + 1 << ' '
-        << std::uint64_t{t[2]} + 1 << " 1\n";
-  }
+  out.rows(mesh.points.size(),
+           [&](RowText& row, std::size_t i) { row << "ND " << i + 1 << ' ' << mesh.points[i] << '\n'; });
+  out.rows(mesh.triangles.size(), [&](RowText& row, std::size_t i) {
+    row << "E3T " << i + 1 << ' ';
+    put_corners(row, mesh.triangles[i], 1);
+    row << " 1\n";
+  });
 }
 
 // MDAL, and so QGIS, takes lower-case names, `comment crs:` and any further scalar property as a layer; long
@@ -68,18 +72,17 @@ void write_ply_header(RowWriter& out, const MeshView& mesh, bool ascii) {
 }
 
 void write_ply_ascii(RowWriter& out, const MeshView& mesh) {
-  for (std::size_t i = 0; i < mesh.points.size() && !out.failed(); ++i) {
-    const Point3& p = mesh.points[i];
-    out << p.x << ' ' << p.y << ' ' << p.z;
-    if (!mesh.pit.empty()) out << ' ' << mesh.pit[i];
-    out << '\n';
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size() && !out.failed(); ++i) {
-    const IndexTriangle& t = mesh.triangles[i];
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2];
-    if (!mesh.order.empty()) out << ' ' << mesh.order[i];
-    out << '\n';
-  }
+  out.rows(mesh.points.size(), [&](RowText& row, std::size_t i) {
+    row << mesh.points[i];
+    if (!mesh.pit.empty()) row << ' ' << mesh.pit[i];
+    row << '\n';
+  });
+  out.rows(mesh.triangles.size(), [&](RowText& row, std::size_t i) {
+    row << "3 ";
+    put_corners(row, mesh.triangles[i], 0);
+    if (!mesh.order.empty()) row << ' ' << mesh.order[i];
+    row << '\n';
+  });
 }
 
 std::uint32_t little(std::uint32_t value) {
@@ -116,11 +119,11 @@ void write_rows(RowWriter& out, std::span<const Point3> points, std::span<const 
     if (!pit.empty()) out << separator << "pit";
     out << '\n';
   }
-  for (std::size_t i = 0; i < points.size() && !out.failed(); ++i) {
-    out << points[i].x << separator << points[i].y << separator << points[i].z;
-    if (!pit.empty()) out << separator << pit[i];
-    out << '\n';
-  }
+  out.rows(points.size(), [&](RowText& row, std::size_t i) {
+    row << points[i].x << separator << points[i].y << separator << points[i].z;
+    if (!pit.empty()) row << separator << pit[i];
+    row << '\n';
+  });
 }
 
 }  // namespace
@@ -142,21 +145,32 @@ std::optional<Error> write_mesh(OutputFile& output, const MeshView& mesh, Format
       write_ply_header(out, mesh, format == Format::ply_ascii);
       format == Format::ply_ascii ? write_ply_ascii(out, mesh) : write_ply_binary(out, mesh);
       break;
+    case Format::tlw:
+      write_tlw(output, mesh);
+      break;
+    case Format::npy:
+      write_npy(output, mesh.triangles);
+      break;
     case Format::csv:
     case Format::tsv:
     case Format::xyz:
       write_rows(out, mesh.points, mesh.pit, format);
       break;
     default:
-      return wrong_format(format, "a mesh", "ply, ply-ascii, obj, 2dm, csv, tsv, xyz");
+      return wrong_format(format, "a mesh", "ply, ply-ascii, obj, 2dm, tlw, npy, csv, tsv, xyz");
   }
   out.flush();
   return output.error();
 }
 
 std::optional<Error> write_points(OutputFile& output, std::span<const Point3> points, Format format) {
+  if (format == Format::tlw || format == Format::npy) {
+    format == Format::npy ? write_npy(output, points)
+                          : write_tlw(output, {.points = points, .triangles = {}});
+    return output.error();
+  }
   if (format != Format::csv && format != Format::tsv && format != Format::xyz) {
-    return wrong_format(format, "bare points", "xyz, csv, tsv");
+    return wrong_format(format, "bare points", "xyz, csv, tsv, tlw, npy");
   }
   RowWriter out(output);
   write_rows(out, points, {}, format);

@@ -24,12 +24,13 @@ struct MeshView {
 };
 
 /// Writes the mesh; the caller commits. PLY carries `pit` and `order` as properties; csv, tsv and xyz are the
-/// vertices alone, with `pit` as fourth column. Every number is the shortest decimal that reads back to the
-/// same double. Errors: those of the output; invalid_argument for a format that is not for meshes;
-/// too_many_points for PLY beyond 2^31 - 1 vertices.
+/// vertices alone, with `pit` as fourth column; tlw is points and triangles, npy the triangles alone. Every
+/// number is the shortest decimal that reads back to the same double. Errors: those of the output;
+/// invalid_argument for a format that is not for meshes; too_many_points for PLY beyond 2^31 - 1 vertices.
 [[nodiscard]] std::optional<Error> write_mesh(OutputFile& output, const MeshView& mesh, Format format);
 
-/// Writes points as xyz (no header), csv or tsv (header x, y, z); the caller commits. Errors: as write_mesh.
+/// Writes points as xyz (no header), csv or tsv (header x, y, z), tlw or npy; the caller commits. Errors: as
+/// write_mesh.
 [[nodiscard]] std::optional<Error> write_points(OutputFile& output, std::span<const Point3> points,
                                                 Format format);
 

@@ -10,7 +10,6 @@
 
 #include "kernel/delaunay_sites.hpp"
 #include "kernel/divide_and_conquer.hpp"
-#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/spatial_order.hpp"
 
@@ -21,7 +20,7 @@ namespace {
 constexpr std::uint32_t kNone = HalfedgeId::kInvalid;
 
 /// What a thread takes at a time.
-constexpr std::uint32_t kChunk = 1u << 16;
+constexpr std::uint32_t kRowChunk = 1u << 16;
 
 /// Whether there is no triangle: then, and only then, the hull runs to and fro and ghosts have ghosts behind
 /// them.
@@ -29,14 +28,13 @@ bool flat(const GhostedTriangulation& mesh) {
   return mesh.origin[prev_of(mesh.twin[mesh.hull])] == kGhost;
 }
 
-/// Lets the hull have no twin, marks the slots of ghosts with kGhost in their unused fourth place, and
-/// returns these slots.
+/// Lets the hull have no twin, and the slots of ghosts begin with kGhost. Returns these slots.
 std::vector<std::uint32_t> cut_off_ghosts(GhostedTriangulation& mesh) {
   std::vector<std::uint32_t> slots;
   std::uint32_t h = mesh.hull;
   do {
     slots.push_back(h / 4);
-    mesh.origin[h | 3] = kGhost;
+    mesh.origin[h & ~3u] = kGhost;
     mesh.twin[mesh.twin[h]] = kNone;
     h = prev_of(mesh.twin[prev_of(h)]);
   } while (h != mesh.hull);
@@ -49,7 +47,7 @@ void fill_holes(GhostedTriangulation& mesh, std::span<const std::uint32_t> ghost
   for (const std::uint32_t to : ghosts) {
     if (to >= face_count) continue;
     do --from;
-    while (mesh.origin[4 * from + 3] == kGhost);
+    while (mesh.origin[4 * std::size_t{from}] == kGhost);
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t h = mesh.twin[4 * from + i];
       mesh.origin[4 * to + i] = mesh.origin[4 * from + i];
@@ -59,36 +57,85 @@ void fill_holes(GhostedTriangulation& mesh, std::span<const std::uint32_t> ghost
   }
 }
 
-/// From four numbers a slot to three, in place.
-void pack(GhostedTriangulation& mesh, std::uint32_t face_count, unsigned threads) {
-  const auto pack_origin = [&] {
-    for (std::uint32_t f = 0; f < face_count; ++f) {
-      for (std::uint32_t i = 0; i < 3; ++i) mesh.origin[3 * f + i] = mesh.origin[4 * f + i];
+/// Three numbers a face from four a slot, each of them converted.
+template <class Convert>
+Array<std::uint32_t> packed(const Array<std::uint32_t>& slots, std::uint32_t face_count, std::size_t parts,
+                            Convert&& convert) {
+  Array<std::uint32_t> faces(3 * std::size_t{face_count});
+  parallel_parts(face_count, parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      for (std::size_t i = 0; i < 3; ++i) faces[3 * f + i] = convert(slots[4 * f + i]);
     }
-    mesh.origin.resize(3 * std::size_t{face_count});
-  };
-  const auto pack_twin = [&] {
-    for (std::uint32_t f = 0; f < face_count; ++f) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t h = mesh.twin[4 * f + i];
-        mesh.twin[3 * f + i] = h == kNone ? kNone : h - h / 4;
-      }
-    }
-    mesh.twin.resize(3 * std::size_t{face_count});
-  };
-  // Two arrays, so two threads at most; in place, each must go through its array in order.
-  parallel_chunks(2, 1, face_count < kChunk ? 1 : threads, [&] {
-    return [&](std::size_t begin, std::size_t end) {
-      for (std::size_t array = begin; array < end; ++array) array == 0 ? pack_origin() : pack_twin();
-    };
   });
+  return faces;
+}
+
+/// For every site the half-edge along the hull that leaves it, or else the first of all that do. Each part of
+/// the half-edges has a part of the sites for itself: those that lie where its triangles do.
+Array<std::uint32_t> outgoing_of(const Array<std::uint32_t>& origin, const Array<std::uint32_t>& twin,
+                                 std::size_t site_count, std::size_t parts) {
+  Array<std::uint32_t> outgoing(site_count);
+  std::vector<std::vector<std::uint32_t>> strays(parts), hulls(parts);
+  parallel_parts(origin.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    const std::size_t low = site_count * part / parts, high = site_count * (part + 1) / parts;
+    std::fill(outgoing.begin() + static_cast<std::ptrdiff_t>(low),
+              outgoing.begin() + static_cast<std::ptrdiff_t>(high), kNone);
+    for (auto h = static_cast<std::uint32_t>(end); h-- > begin;) {
+      if (origin[h] - low < high - low) {
+        outgoing[origin[h]] = h;
+      } else {
+        strays[part].push_back(h);
+      }
+      if (twin[h] == kNone) hulls[part].push_back(h);
+    }
+  });
+  for (const auto& stray : strays) {
+    for (const std::uint32_t h : stray) outgoing[origin[h]] = std::min(outgoing[origin[h]], h);
+  }
+  for (const auto& hull : hulls) {
+    for (const std::uint32_t h : hull) outgoing[origin[h]] = h;
+  }
+  return outgoing;
+}
+
+/// The triangles alone, packed. One array after the other, so that no more memory is held than there must be.
+Triangulation without_ghosts(GhostedTriangulation mesh, unsigned threads) {
+  const std::size_t site_count = mesh.origin.size() / 8 + 1;
+  const std::vector<std::uint32_t> ghosts = cut_off_ghosts(mesh);
+  const auto face_count = static_cast<std::uint32_t>(mesh.origin.size() / 4 - ghosts.size());
+  fill_holes(mesh, ghosts, face_count);
+  const std::size_t parts = parts_of(face_count, kRowChunk, threads);
+  Array<std::uint32_t> origin = packed(mesh.origin, face_count, parts, [](std::uint32_t v) { return v; });
+  mesh.origin = {};
+  Array<std::uint32_t> twin =
+      packed(mesh.twin, face_count, parts, [](std::uint32_t h) { return h == kNone ? kNone : h - h / 4; });
+  mesh.twin = {};
+  Array<std::uint32_t> outgoing = outgoing_of(origin, twin, site_count, parts);
+  return linked(std::move(origin), std::move(twin), std::move(outgoing));
+}
+
+/// The checks, and the engine.
+Result<GhostedTriangulation> triangulate(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
+                                         unsigned threads) {
+  if (sites.size() < 3) {
+    return Error{ErrorCode::too_few_points,
+                 "a triangulation needs 3 distinct points, not " + std::to_string(sites.size())};
+  }
+  if (sites.size() > kMaxSites) {
+    return Error{ErrorCode::too_many_points, "at most " + std::to_string(kMaxSites) +
+                                                 " points can be triangulated, not " +
+                                                 std::to_string(sites.size())};
+  }
+  GhostedTriangulation mesh = divide_and_conquer(sites, keys, resolve_threads(threads));
+  if (flat(mesh)) return Error{ErrorCode::all_collinear, "all points lie on one line: there is no triangle"};
+  return mesh;
 }
 
 /// The rows of points with a coordinate that is not finite. (x * 0 is 0 for finite x and NaN for others;
 /// adding up keeps a NaN.)
 std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsigned threads) {
   std::atomic<bool> all_finite{true};
-  parallel_chunks(points.size(), kChunk, threads, [&] {
+  parallel_chunks(points.size(), kRowChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       double x = 0, y = 0;
       for (std::size_t i = begin; i < end; ++i) {
@@ -107,10 +154,10 @@ std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsig
 }
 
 /// The points of the given rows.
-std::vector<Point2> gathered(std::span<const Point2> points, std::span<const std::uint32_t> rows,
-                             unsigned threads) {
-  std::vector<Point2> sites = large_vector<Point2>(rows.size());
-  parallel_chunks(rows.size(), kChunk, threads, [&] {
+Array<Point2> gathered(std::span<const Point2> points, std::span<const std::uint32_t> rows,
+                       unsigned threads) {
+  Array<Point2> sites(rows.size());
+  parallel_chunks(rows.size(), kRowChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) sites[i] = points[rows[i]];
     };
@@ -122,28 +169,13 @@ std::vector<Point2> gathered(std::span<const Point2> points, std::span<const std
 
 Result<Triangulation> delaunay_of_sites(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
                                         unsigned threads) {
-  if (sites.size() < 3) {
-    return Error{ErrorCode::too_few_points,
-                 "a triangulation needs 3 distinct points, not " + std::to_string(sites.size())};
-  }
-  if (sites.size() > kMaxSites) {
-    return Error{ErrorCode::too_many_points, "at most " + std::to_string(kMaxSites) +
-                                                 " points can be triangulated, not " +
-                                                 std::to_string(sites.size())};
-  }
-  threads = resolve_threads(threads);
-  GhostedTriangulation mesh = divide_and_conquer(sites, keys, threads);
-  if (flat(mesh)) return Error{ErrorCode::all_collinear, "all points lie on one line: there is no triangle"};
-  const std::vector<std::uint32_t> ghosts = cut_off_ghosts(mesh);
-  const auto face_count = static_cast<std::uint32_t>(mesh.origin.size() / 4 - ghosts.size());
-  fill_holes(mesh, ghosts, face_count);
-  pack(mesh, face_count, threads);
-  return Triangulation::from_arrays(std::move(mesh.origin), std::move(mesh.twin),
-                                    static_cast<std::uint32_t>(sites.size()));
+  Result<GhostedTriangulation> mesh = triangulate(sites, keys, threads);
+  if (!mesh) return std::move(mesh).error();
+  return without_ghosts(*std::move(mesh), threads);
 }
 
 Result<Triangulation> delaunay_of_sites(std::span<const Point2> sites, unsigned threads) {
-  std::vector<std::uint32_t> keys(sites.size());
+  Array<std::uint32_t> keys(sites.size());
   morton_keys(sites, keys);
   return delaunay_of_sites(sites, keys, threads);
 }
@@ -167,10 +199,12 @@ Result<Triangulation> delaunay(std::span<const Point2> points, const DelaunayOpt
     order.rows.resize(order.site_count());
     order.starts = {};
   }
-  Result<Triangulation> of_sites =
-      detail::delaunay_of_sites(detail::gathered(points, order.rows, threads), order.keys, threads);
-  if (!of_sites) return of_sites;
-  return std::move(*of_sites).renamed(order.rows, static_cast<std::uint32_t>(points.size()));
+  Result<detail::GhostedTriangulation> mesh =
+      detail::triangulate(detail::gathered(points, order.rows, threads), order.keys, threads);
+  if (!mesh) return std::move(mesh).error();
+  order.keys = {};
+  return detail::without_ghosts(*std::move(mesh), threads)
+      .renamed(order.rows, static_cast<std::uint32_t>(points.size()), threads);
 }
 
 }  // namespace thalweg

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "kernel/assert.hpp"
-#include "kernel/huge_pages.hpp"
 #include "kernel/predicates_inline.hpp"
 #include "kernel/spatial_order.hpp"
 
@@ -28,16 +27,25 @@ bool less_along(Axis axis, Point2 a, Point2 b) noexcept {
   return a.y < b.y || (a.y == b.y && a.x > b.x);
 }
 
-/// A triangulated part of the sites. Two or more sites: for the least and the greatest in the order
-/// `less_along(axis)`, the ghost half-edge of the hull edge that leaves it counter-clockwise (its destination
-/// is the extreme). One site: its number.
-struct Part {
+/// The outermost sites of a part: for the least and the greatest in the order `less_along` of each axis, the
+/// ghost half-edge of the hull edge that leaves it counter-clockwise (its destination is the site).
+struct Extremes {
   Index low = 0;
   Index high = 0;
+};
+
+/// A triangulated part of the sites. One site: its number.
+struct Part {
+  Extremes along_x, along_y;
   Index single = kGhost;
 
   bool is_single() const noexcept { return single != kGhost; }
+  const Extremes& along(Axis axis) const noexcept { return axis == Axis::x ? along_x : along_y; }
 };
+
+Part single(Index site) noexcept {
+  return {{}, {}, site};
+}
 
 /// Nodes of at most so many sites are sorted along x and merged in that order.
 constexpr Index kLeafSites = 6;
@@ -51,18 +59,23 @@ class Builder {
       : sites_(sites.data()), origin_(origin), twin_(twin) {}
 
   /// Triangulates sites [lo, hi), whose keys begin at keys[0].
-  Part build(Index lo, Index hi, const Index* keys, Axis wanted, int level, unsigned threads) const;
+  Part build(Index lo, Index hi, const Index* keys, int level, unsigned threads) const;
 
  private:
   Part build_crowded(Index lo, Index hi, int level) const;
   Part build_lexicographic(Index lo, Index hi) const;
   Part build_leaf(Index lo, Index hi) const;
   Part build_sorted(const Index* ids, Index count, Index slot) const;
-  Part turned(Part part, Axis from, Axis to) const;
 
   Part pair(Index p, Index q, Index slot) const;
   Part triple(Index p, Index q, Index r, Index slot) const;
-  Part merge(const Part& left, const Part& right, Index slot) const;
+  Part merge(const Part& left, const Part& right, Axis axis, Index slot) const;
+  Extremes extremes(Axis axis, std::span<const Index> ghosts) const noexcept;
+
+  struct Extreme {
+    Index site, ghost;
+  };
+  std::array<Extreme, 4> outermost_sites(const Part& left, const Part& right, Axis axis) const noexcept;
 
   Point2 at(Index v) const noexcept { return sites_[v]; }
 
@@ -84,10 +97,6 @@ class Builder {
   Index hull_next(Index h) const noexcept { return prev_of(twin_[prev_of(h)]); }
   Index hull_prev(Index h) const noexcept { return next_of(twin_[next_of(h)]); }
 
-  /// From an extreme, along the hull counter-clockwise as long as the order rises (or falls).
-  Index climb(Index h, Axis axis) const noexcept;
-  Index descend(Index h, Axis axis) const noexcept;
-
   struct Seam;
 
   const Point2* sites_;
@@ -95,29 +104,21 @@ class Builder {
   Index* twin_;
 };
 
-Index Builder::climb(Index h, Axis axis) const noexcept {
-  while (less_along(axis, at(dest(h)), at(origin(h)))) h = hull_next(h);
-  return h;
+/// The extremes among the destinations of these ghost half-edges.
+Extremes Builder::extremes(Axis axis, std::span<const Index> ghosts) const noexcept {
+  Extremes result{ghosts[0], ghosts[0]};
+  for (const Index h : ghosts.subspan(1)) {
+    if (less_along(axis, at(dest(h)), at(dest(result.low)))) result.low = h;
+    if (less_along(axis, at(dest(result.high)), at(dest(h)))) result.high = h;
+  }
+  return result;
 }
 
-Index Builder::descend(Index h, Axis axis) const noexcept {
-  while (less_along(axis, at(origin(h)), at(dest(h)))) h = hull_next(h);
-  return h;
-}
-
-/// The extremes along the other axis. Counter-clockwise along the hull come bottom, right, top, left, and
-/// between two of them both coordinates are monotone.
-Part Builder::turned(Part part, Axis from, Axis to) const {
-  if (from == to || part.is_single()) return part;
-  if (to == Axis::x) return {.low = descend(part.high, to), .high = climb(part.low, to)};
-  return {.low = descend(part.low, to), .high = climb(part.high, to)};
-}
-
-Part Builder::build(Index lo, Index hi, const Index* keys, Axis wanted, int level, unsigned threads) const {
+Part Builder::build(Index lo, Index hi, const Index* keys, int level, unsigned threads) const {
   const Index count = hi - lo;
-  if (count <= kLeafSites) return turned(build_leaf(lo, hi), Axis::x, wanted);
+  if (count <= kLeafSites) return build_leaf(lo, hi);
   const Index differing = keys[0] ^ keys[count - 1];
-  if (differing == 0) return turned(build_crowded(lo, hi, level), Axis::x, wanted);
+  if (differing == 0) return build_crowded(lo, hi, level);
 
   const Index bit = std::bit_floor(differing);
   const Axis axis = (bit & 0xaaaaaaaau) != 0 ? Axis::x : Axis::y;
@@ -128,15 +129,14 @@ Part Builder::build(Index lo, Index hi, const Index* keys, Axis wanted, int leve
   std::future<Part> other;
   if (threads > 1 && count >= kThreadSites) {
     try {
-      other =
-          std::async(std::launch::async, [=, this] { return build(mid, hi, cut, axis, level, threads / 2); });
+      other = std::async(std::launch::async, [=, this] { return build(mid, hi, cut, level, threads / 2); });
     } catch (const std::system_error&) {
       // No thread to be had: the same work on this one.
     }
   }
-  left = build(lo, mid, keys, axis, level, other.valid() ? threads - threads / 2 : threads);
-  right = other.valid() ? other.get() : build(mid, hi, cut, axis, level, 1);
-  return turned(merge(left, right, 2 * mid - 2), axis, wanted);
+  left = build(lo, mid, keys, level, other.valid() ? threads - threads / 2 : threads);
+  right = other.valid() ? other.get() : build(mid, hi, cut, level, 1);
+  return merge(left, right, axis, 2 * mid - 2);
 }
 
 /// Sites in one cell.
@@ -144,7 +144,7 @@ Part Builder::build_crowded(Index lo, Index hi, int level) const {
   if (hi - lo <= kCellSites || level + 1 == kKeyLevels) return build_lexicographic(lo, hi);
   std::vector<Index> keys(hi - lo);
   morton_keys(std::span(sites_ + lo, hi - lo), keys);
-  return build(lo, hi, keys.data(), Axis::x, level + 1, 1);
+  return build(lo, hi, keys.data(), level + 1, 1);
 }
 
 Part Builder::build_lexicographic(Index lo, Index hi) const {
@@ -152,7 +152,7 @@ Part Builder::build_lexicographic(Index lo, Index hi) const {
   const Index mid = lo + (hi - lo) / 2;
   const Part left = build_lexicographic(lo, mid);
   const Part right = build_lexicographic(mid, hi);
-  return merge(left, right, 2 * mid - 2);
+  return merge(left, right, Axis::x, 2 * mid - 2);
 }
 
 Part Builder::build_leaf(Index lo, Index hi) const {
@@ -166,13 +166,13 @@ Part Builder::build_leaf(Index lo, Index hi) const {
 }
 
 Part Builder::build_sorted(const Index* ids, Index count, Index slot) const {
-  if (count == 1) return {.single = ids[0]};
+  if (count == 1) return single(ids[0]);
   if (count == 2) return pair(ids[0], ids[1], slot);
   if (count == 3) return triple(ids[0], ids[1], ids[2], slot);
   const Index half = count / 2;
   const Part left = build_sorted(ids, half, slot);
   const Part right = build_sorted(ids + half, count - half, slot + 2 * half);
-  return merge(left, right, slot + 2 * half - 2);
+  return merge(left, right, Axis::x, slot + 2 * half - 2);
 }
 
 /// An edge: two ghosts back to back.
@@ -183,13 +183,14 @@ Part Builder::pair(Index p, Index q, Index slot) const {
   link(below, above);
   link(below + 1, above + 2);
   link(below + 2, above + 1);
-  return {.low = below, .high = above};
+  const Index ghosts[] = {below, above};
+  return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
 }
 
 /// Three sites in lexicographic order: a triangle with three ghosts, or two edges in a row with four.
 Part Builder::triple(Index p, Index q, Index r, Index slot) const {
   const int turn = orient2d_sign(at(p), at(q), at(r));
-  if (turn == 0) return merge({.single = p}, pair(q, r, slot + 2), slot);
+  if (turn == 0) return merge(single(p), pair(q, r, slot + 2), Axis::x, slot);
   const Index a = turn > 0 ? q : r, b = turn > 0 ? r : q;
   const Index face = 4 * slot, pa = face + 4, ab = face + 8, bp = face + 12;
   set_corners(slot, p, a, b);
@@ -202,7 +203,8 @@ Part Builder::triple(Index p, Index q, Index r, Index slot) const {
   link(pa + 1, bp + 2);
   link(ab + 1, pa + 2);
   link(bp + 1, ab + 2);
-  return {.low = pa, .high = turn > 0 ? bp : ab};
+  const Index ghosts[] = {pa, ab, bp};
+  return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
 }
 
 /// A point seen from another.
@@ -241,7 +243,7 @@ struct Builder::Seam {
         kOrient2dBound * (std::fabs(to_b.x * to_v.y) + std::fabs(to_b.y * to_v.x)) + kUnderflowMargin) {
       return turn > 0;
     }
-    return orient2d_exact(at(a), at(b), at(v)) > 0;
+    return orient2d_unfiltered(at(a), at(b), at(v)) > 0;
   }
 
   /// Whether v is inside the circle of a, b, c.
@@ -317,15 +319,14 @@ void Builder::Seam::take_right() noexcept {
 /// Raises the base to the upper common tangent.
 ///
 /// Everything is measured from a: `to_b` and so on are differences of coordinates, and their products serve
-/// several tests.
+/// several tests, and the next base too if it also begins at a.
 void Builder::Seam::rise() noexcept {
+  Leg to_b(at(a), at(b));
+  Leg to_c = left != kGhost ? Leg(at(a), at(a_next())) : to_b;
   for (;;) {
-    const Leg to_b(at(a), at(b));
     bool left_open = false, right_open = false;
-    Leg to_c = to_b, to_d = to_b;
     double turn_c = 0, turn_d = 0;
     if (left != kGhost) {
-      to_c = Leg(at(a), at(a_next()));
       turn_c = cross(to_b, to_c);
       left_open = above(to_b, to_c, turn_c, a_next());
     }
@@ -340,6 +341,7 @@ void Builder::Seam::rise() noexcept {
         turn_c = cross(to_b, to_c);
       }
     }
+    Leg to_d = to_b;
     if (right != kGhost) {
       to_d = Leg(at(a), at(b_next()));
       turn_d = cross(to_b, to_d);
@@ -359,19 +361,45 @@ void Builder::Seam::rise() noexcept {
     if (!left_open && !right_open) return;
     if (!left_open || (right_open && inside(to_b, to_c, turn_c, to_d, a_next(), b_next()))) {
       take_right();
+      to_b = to_d;
     } else {
       take_left();
+      to_b = Leg(at(a), at(b));
+      if (left != kGhost) to_c = Leg(at(a), at(a_next()));
     }
   }
 }
 
-/// Joins two parts of which the left precedes the right along the axis of both. Writes slots `slot` and `slot
-/// + 1`.
-Part Builder::merge(const Part& left, const Part& right, Index slot) const {
+/// The least and the greatest site of two parts along x, then along y, while the parts are still apart; the
+/// left one precedes the right one along the axis.
+std::array<Builder::Extreme, 4> Builder::outermost_sites(const Part& left, const Part& right,
+                                                         Axis axis) const noexcept {
+  const auto extreme = [this](const Part& part, Axis along, Index Extremes::*end) {
+    const Index ghost = part.along(along).*end;
+    return part.is_single() ? Extreme{part.single, kGhost} : Extreme{dest(ghost), ghost};
+  };
+  std::array<Extreme, 4> result;
+  std::size_t i = 0;
+  for (const Axis along : {Axis::x, Axis::y}) {
+    Extreme low = extreme(left, along, &Extremes::low), high = extreme(right, along, &Extremes::high);
+    if (along != axis) {
+      const Extreme other_low = extreme(right, along, &Extremes::low);
+      const Extreme other_high = extreme(left, along, &Extremes::high);
+      if (less_along(along, at(other_low.site), at(low.site))) low = other_low;
+      if (less_along(along, at(high.site), at(other_high.site))) high = other_high;
+    }
+    result[i++] = low;
+    result[i++] = high;
+  }
+  return result;
+}
+
+/// Joins two parts of which the left precedes the right along the axis. Writes slots `slot` and `slot + 1`.
+Part Builder::merge(const Part& left, const Part& right, Axis axis, Index slot) const {
   const bool left_single = left.is_single(), right_single = right.is_single();
   // The lower common tangent, from the two extremes that face each other: `in` enters a, `out` leaves b.
-  Index in = left_single ? kGhost : hull_prev(left.high);
-  Index out = right_single ? kGhost : right.low;
+  Index in = left_single ? kGhost : hull_prev(left.along(axis).high);
+  Index out = right_single ? kGhost : right.along(axis).low;
   Index a = left_single ? left.single : origin(in);
   Index b = right_single ? right.single : dest(out);
   for (bool moved = true; moved;) {
@@ -388,8 +416,7 @@ Part Builder::merge(const Part& left, const Part& right, Index slot) const {
     }
   }
   const Index bottom = 4 * slot, top = bottom + 4;
-  const bool low_is_a = left_single || dest(left.low) == a;
-  const Index high_site = right_single ? b : dest(right.high);
+  const std::array<Extreme, 4> outermost = outermost_sites(left, right, axis);
 
   Seam seam{*this, a, b};
   seam.left = left_single ? kGhost : hull_next(in);
@@ -407,7 +434,11 @@ Part Builder::merge(const Part& left, const Part& right, Index slot) const {
   link(top, seam.below);
   if (!right_single) link(top + 1, prev_of(seam.right));
   if (!left_single) link(top + 2, next_of(seam.left));
-  return {.low = low_is_a ? bottom : left.low, .high = high_site == seam.b ? top : right.high};
+  // The hull edges that leave these sites are the old ones, but at the ends of the tangents.
+  const auto ghost_of = [&](const Extreme& extreme) {
+    return extreme.site == a ? bottom : extreme.site == seam.b ? top : extreme.ghost;
+  };
+  return {{ghost_of(outermost[0]), ghost_of(outermost[1])}, {ghost_of(outermost[2]), ghost_of(outermost[3])}};
 }
 
 }  // namespace
@@ -417,10 +448,10 @@ GhostedTriangulation divide_and_conquer(std::span<const Point2> sites, std::span
   THALWEG_ASSERT(sites.size() >= 2 && sites.size() <= kMaxSites && keys.size() == sites.size());
   const auto count = static_cast<Index>(sites.size());
   GhostedTriangulation mesh;
-  mesh.origin = large_vector<Index>(std::size_t{8} * (count - 1));
-  mesh.twin = large_vector<Index>(std::size_t{8} * (count - 1));
+  mesh.origin = Array<Index>(std::size_t{8} * (count - 1));
+  mesh.twin = Array<Index>(std::size_t{8} * (count - 1));
   const Builder builder(sites, mesh.origin.data(), mesh.twin.data());
-  mesh.hull = builder.build(0, count, keys.data(), Axis::x, 0, threads).low;
+  mesh.hull = builder.build(0, count, keys.data(), 0, threads).along_x.low;
   return mesh;
 }
 

@@ -8,8 +8,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "thalweg/array.hpp"
 #include "thalweg/point.hpp"
 
 namespace thalweg::detail {
@@ -20,8 +20,8 @@ namespace thalweg::detail {
 /// Half-edge 4t+i (i < 3) of slot t runs from its i-th to its next corner. m sites make 2m - 2 triangles,
 /// ghosts included; if all sites are collinear there are ghosts only.
 struct GhostedTriangulation {
-  std::vector<std::uint32_t> origin;
-  std::vector<std::uint32_t> twin;
+  Array<std::uint32_t> origin;
+  Array<std::uint32_t> twin;
   std::uint32_t hull = 0;  ///< the half-edge of some ghost that is on the hull
 };
 
@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kGhost = 0xffffffffu;
 inline constexpr std::uint32_t kMaxSites = 0x1fffffffu;
 
 constexpr std::uint32_t next_of(std::uint32_t h) noexcept {
-  return (h & 3) == 2 ? h - 2 : h + 1;
+  return (h & 2) != 0 ? h - 2 : h + 1;
 }
 constexpr std::uint32_t prev_of(std::uint32_t h) noexcept {
   return (h & 3) == 0 ? h + 2 : h - 1;

@@ -52,4 +52,19 @@ void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, Mak
   if (failure) std::rethrow_exception(failure);
 }
 
+/// How many of `threads` are worth having for `count` items, of which a thread should have `least` or more.
+inline std::size_t parts_of(std::size_t count, std::size_t least, unsigned threads) noexcept {
+  return std::clamp<std::size_t>(count / least, 1, resolve_threads(threads));
+}
+
+/// Calls task(i, begin, end) for `parts` equal parts of [0, count), each in a thread of its own if possible.
+template <class Task>
+void parallel_parts(std::size_t count, std::size_t parts, Task&& task) {
+  parallel_chunks(parts, 1, static_cast<unsigned>(parts), [&] {
+    return [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) task(i, count * i / parts, count * (i + 1) / parts);
+    };
+  });
+}
+
 }  // namespace thalweg::detail

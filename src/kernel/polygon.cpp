@@ -16,13 +16,14 @@ namespace thalweg::detail {
 namespace {
 
 /// A part of the chain, [begin, end), over its base.
-struct Part {
+struct ChainPart {
   VertexId from, to;
   std::size_t begin, end;
 };
 
 /// The position in the part of the vertex whose circle with the base is empty.
-std::size_t apex_position(std::span<const Point2> sites, std::span<const VertexId> chain, const Part& part) {
+std::size_t apex_position(std::span<const Point2> sites, std::span<const VertexId> chain,
+                          const ChainPart& part) {
   const Point2 a = sites[part.from.index()], b = sites[part.to.index()];
   std::size_t best = part.end;
   for (std::size_t i = part.begin; i < part.end; ++i) {
@@ -42,9 +43,9 @@ std::size_t apex_position(std::span<const Point2> sites, std::span<const VertexI
 
 void triangulate_polygon(std::span<const Point2> sites, VertexId from, VertexId to,
                          std::span<const VertexId> chain, std::vector<Triangle>& triangles) {
-  std::vector<Part> parts = {{from, to, 0, chain.size()}};
+  std::vector<ChainPart> parts = {{from, to, 0, chain.size()}};
   while (!parts.empty()) {
-    const Part part = parts.back();
+    const ChainPart part = parts.back();
     parts.pop_back();
     if (part.begin == part.end) continue;
     const std::size_t at = apex_position(sites, chain, part);

@@ -76,6 +76,25 @@ MaybeSign incircle_grid(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   return std::nullopt;
 }
 
+// The filter's bound of 11u P, with P itself in place of S^2 / 3, which is far more where d is close to a
+// corner but not to all: long thin triangles on a curve. P as computed may be low by t(11), and the bound by
+// two more: 11u (1 + 16u). Underflow moves the determinant by 12 S errors of 2^-1075 and 6 more (see
+// kUnderflowMargin), and P by no more: with S < 2^70 both are lost in the margin.
+MaybeSign incircle_products(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
+  constexpr double kBound = 12 * kUnitRoundoff;
+  static_assert(kBound >= 11 * kUnitRoundoff * (1 + 64 * kUnitRoundoff));
+  const auto [det, size] = rounded_circle(a, b, c, d);
+  if (!(size < 0x1p70)) return std::nullopt;
+  const double ax = std::fabs(a.x - d.x), ay = std::fabs(a.y - d.y);
+  const double bx = std::fabs(b.x - d.x), by = std::fabs(b.y - d.y);
+  const double cx = std::fabs(c.x - d.x), cy = std::fabs(c.y - d.y);
+  const double products = (ax * ax + ay * ay) * (bx * cy + by * cx) +
+                          (bx * bx + by * by) * (cx * ay + cy * ax) +
+                          (cx * cx + cy * cy) * (ax * by + ay * bx);
+  if (std::fabs(det) > kBound * products + kUnderflowMargin) return sign_of(det);
+  return std::nullopt;
+}
+
 #if defined(THALWEG_HAS_INT128)
 
 // The sign does not change if x and y are scaled by different factors.
@@ -137,6 +156,7 @@ int orient2d_unfiltered(Point2 a, Point2 b, Point2 c) noexcept {
 int incircle_unfiltered(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   THALWEG_ASSERT(finite(a, b, c, d));
   if (const MaybeSign sign = incircle_grid(a, b, c, d)) return *sign;
+  if (const MaybeSign sign = incircle_products(a, b, c, d)) return *sign;
   const MaybeSign sign = incircle_words(a, b, c, d);
   return sign ? *sign : incircle_exact(a, b, c, d);
 }

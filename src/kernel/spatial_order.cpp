@@ -3,15 +3,43 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 
 namespace thalweg::detail {
 namespace {
+
+/// Fewer points than these a thread are not worth one.
+constexpr std::size_t kThreadPoints = 1u << 16;
+
+struct Box {
+  double low_x, high_x, low_y, high_y;
+
+  void add(Point2 p) noexcept {
+    low_x = std::min(low_x, p.x);
+    high_x = std::max(high_x, p.x);
+    low_y = std::min(low_y, p.y);
+    high_y = std::max(high_y, p.y);
+  }
+};
+
+Box box_of(std::span<const Point2> points, unsigned threads) {
+  const Box first{points[0].x, points[0].x, points[0].y, points[0].y};
+  std::vector<Box> boxes(parts_of(points.size(), kThreadPoints, threads), first);
+  parallel_parts(points.size(), boxes.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Box box = first;
+    for (const Point2 p : points.subspan(begin, end - begin)) box.add(p);
+    boxes[part] = box;
+  });
+  for (const Box& box : boxes) {
+    boxes[0].add({box.low_x, box.low_y});
+    boxes[0].add({box.high_x, box.high_y});
+  }
+  return boxes[0];
+}
 
 /// Where a coordinate lies in a box, as an integer of 16 bits.
 ///
@@ -26,14 +54,8 @@ struct Grid {
 
   static constexpr double kCells = 65536;
 
-  explicit Grid(std::span<const Point2> points) {
-    double low_x = points[0].x, high_x = low_x, low_y = points[0].y, high_y = low_y;
-    for (const Point2 p : points) {
-      low_x = std::min(low_x, p.x);
-      high_x = std::max(high_x, p.x);
-      low_y = std::min(low_y, p.y);
-      high_y = std::max(high_y, p.y);
-    }
+  explicit Grid(const Box& box) {
+    const auto [low_x, high_x, low_y, high_y] = box;
     const double size = std::max({std::fabs(low_x), std::fabs(high_x), std::fabs(low_y), std::fabs(high_y)});
     if (size >= 0x1p1020) shrink = 0x1p-4;
     x0 = low_x * shrink;
@@ -78,146 +100,151 @@ std::uint32_t digit(KeyedRow k, std::uint32_t pass) {
   return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
 }
 
-/// Fewer points than these a thread are not worth one.
-constexpr std::size_t kThreadPoints = 1u << 16;
-
-/// Calls task(i, begin, end) for `parts` equal parts of [0, count), each in a thread.
-template <class Task>
-void for_parts(std::size_t count, std::size_t parts, Task&& task) {
-  parallel_chunks(parts, 1, static_cast<unsigned>(parts), [&] {
-    return [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) task(i, count * i / parts, count * (i + 1) / parts);
-    };
-  });
-}
-
 /// One pass of a stable radix sort. Every part counts its digits, learns from all counts where its elements
 /// go, and moves them: the result is that of one part.
-void radix_pass(const std::vector<KeyedRow>& from, std::vector<KeyedRow>& to, std::uint32_t pass,
-                std::size_t parts) {
+void radix_pass(const Array<KeyedRow>& from, Array<KeyedRow>& to, std::uint32_t pass, std::size_t parts) {
   std::vector<std::array<std::uint32_t, kDigits>> counts(parts);
-  for_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  parallel_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) ++counts[part][digit(from[i], pass)];
   });
   std::uint32_t place = 0;
   for (std::size_t d = 0; d < kDigits; ++d) {
     for (auto& count : counts) place += std::exchange(count[d], place);
   }
-  for_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  parallel_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
     auto& next = counts[part];
     for (std::size_t i = begin; i < end; ++i) to[next[digit(from[i], pass)]++] = from[i];
   });
 }
 
-void radix_sort(std::vector<KeyedRow>& keyed, unsigned threads) {
+void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
   if (keyed.size() < 4 * kDigits) {
     std::sort(keyed.begin(), keyed.end());
     return;
   }
-  const std::size_t parts = std::clamp<std::size_t>(keyed.size() / kThreadPoints, 1, threads);
-  std::vector<KeyedRow> other = large_vector<KeyedRow>(keyed.size());
+  const std::size_t parts = parts_of(keyed.size(), kThreadPoints, threads);
+  Array<KeyedRow> other(keyed.size());
   for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
     radix_pass(keyed, other, pass, parts);
     keyed.swap(other);
   }
 }
 
-/// The number of distinct points among rows that are sorted so that equal points are adjacent.
-std::uint32_t count_distinct(std::span<const std::uint32_t> rows, std::span<const Point2> points) {
-  std::uint32_t distinct = 1;
-  for (std::size_t i = 1; i < rows.size(); ++i) distinct += points[rows[i]] != points[rows[i - 1]];
+/// Sorts the rows of a cell by their points, then by number. Returns the number of distinct points.
+std::uint32_t sort_lexicographically(std::span<std::uint32_t> rows, std::span<const Point2> points) {
+  struct Placed {
+    Point2 point;
+    std::uint32_t row;
+  };
+  std::array<Placed, kCellSites> few;  // the rule: what is nearby in the cell is far apart among the points
+  std::vector<Placed> many(rows.size() > few.size() ? rows.size() : 0);
+  const std::span<Placed> placed = many.empty() ? std::span(few).first(rows.size()) : std::span(many);
+  std::transform(rows.begin(), rows.end(), placed.begin(), [points](std::uint32_t row) {
+    return Placed{points[row], row};
+  });
+  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    if (lexicographically_less(a.point, b.point)) return true;
+    return a.point == b.point && a.row < b.row;
+  });
+  std::uint32_t distinct = 0;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    rows[i] = placed[i].row;
+    distinct += i == 0 || placed[i].point != placed[i - 1].point;
+  }
   return distinct;
 }
 
-void sort_lexicographically(std::span<std::uint32_t> rows, std::span<const Point2> points) {
-  std::sort(rows.begin(), rows.end(), [points](std::uint32_t i, std::uint32_t j) {
-    if (lexicographically_less(points[i], points[j])) return true;
-    return points[i] == points[j] && i < j;
-  });
-}
-
 /// Orders the rows of one cell: in the cell's own box, cell by cell, if they are many sites, else
-/// lexicographically.
+/// lexicographically. Returns the number of distinct points.
 ///
 /// Whether they are many must not depend on duplicates. More different keys than kCellSites prove it cheaply.
-void order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, int level) {
-  if (rows.size() <= kCellSites || level == kKeyLevels) {
-    sort_lexicographically(rows, points);
-    return;
-  }
-  std::vector<KeyedRow> keyed(rows.size());
+std::uint32_t order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, int level) {
+  if (rows.size() <= kCellSites || level == kKeyLevels) return sort_lexicographically(rows, points);
+  Array<KeyedRow> keyed(rows.size());
   {
     std::vector<Point2> gathered(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) gathered[i] = points[rows[i]];
-    const Grid grid(gathered);
+    const Grid grid(box_of(gathered, 1));
     for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = KeyedRow{grid.key(gathered[i])} << 32 | rows[i];
   }
   radix_sort(keyed, 1);
   std::uint32_t different = 1;
   for (std::size_t i = 1; i < keyed.size(); ++i) different += key_of(keyed[i]) != key_of(keyed[i - 1]);
   if (different <= kCellSites) {
-    sort_lexicographically(rows, points);
-    if (count_distinct(rows, points) <= kCellSites) return;
+    const std::uint32_t distinct = sort_lexicographically(rows, points);
+    if (distinct <= kCellSites) return distinct;
   }
   std::transform(keyed.begin(), keyed.end(), rows.begin(), row_of);
+  std::uint32_t distinct = 0;
   for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
     while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
-    if (end - begin > 1) order_cell(rows.subspan(begin, end - begin), points, level + 1);
+    distinct += end - begin == 1 ? 1 : order_cell(rows.subspan(begin, end - begin), points, level + 1);
   }
+  return distinct;
+}
+
+/// Orders the rows within every cell. Returns whether any two points are equal.
+bool order_cells(std::span<std::uint32_t> rows, std::span<const std::uint32_t> keys,
+                 std::span<const Point2> points, std::size_t parts) {
+  std::atomic<bool> duplicates{false};
+  parallel_parts(rows.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+    // A cell belongs to the part in which it begins.
+    const auto in_earlier_part = [&](std::size_t i) { return i > 0 && keys[i] == keys[i - 1]; };
+    while (begin < end && in_earlier_part(begin)) ++begin;
+    while (begin < end) {
+      std::size_t next = begin + 1;
+      while (next < rows.size() && keys[next] == keys[begin]) ++next;
+      if (next - begin > 1) {
+        const auto cell = rows.subspan(begin, next - begin);
+        if (order_cell(cell, points, 1) < cell.size()) duplicates = true;
+      }
+      begin = next;
+    }
+  });
+  return duplicates;
+}
+
+/// Notes where the rows of each site start, and keeps one key a site.
+void part_sites(SpatialOrder& order, std::span<const Point2> points) {
+  std::uint32_t sites = 0;
+  for (std::uint32_t i = 0; i < order.rows.size(); ++i) {
+    if (i > 0 && points[order.rows[i]] == points[order.rows[i - 1]]) continue;
+    order.starts.push_back(i);
+    order.keys[sites++] = order.keys[i];
+  }
+  order.keys.resize(sites);
+  order.starts.push_back(static_cast<std::uint32_t>(order.rows.size()));
 }
 
 }  // namespace
 
 void morton_keys(std::span<const Point2> points, std::span<std::uint32_t> keys) {
   if (points.empty()) return;
-  const Grid grid(points);
+  const Grid grid(box_of(points, 1));
   for (std::size_t i = 0; i < points.size(); ++i) keys[i] = grid.key(points[i]);
 }
 
 SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   SpatialOrder order;
   if (points.empty()) return order;
-  const auto count = static_cast<std::uint32_t>(points.size());
-  std::vector<KeyedRow> keyed = large_vector<KeyedRow>(count);
-  const Grid grid(points);
-  threads = resolve_threads(threads);
-  const std::size_t parts = std::clamp<std::size_t>(count / kThreadPoints, 1, threads);
-  for_parts(count, parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+  Array<KeyedRow> keyed(points.size());
+  const Grid grid(box_of(points, threads));
+  const std::size_t parts = parts_of(points.size(), kThreadPoints, threads);
+  parallel_parts(points.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) keyed[i] = KeyedRow{grid.key(points[i])} << 32 | i;
   });
   radix_sort(keyed, threads);
 
-  order.rows = large_vector<std::uint32_t>(count);
-  order.keys = large_vector<std::uint32_t>(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    order.rows[i] = row_of(keyed[i]);
-    order.keys[i] = key_of(keyed[i]);
-  }
+  order.rows = Array<std::uint32_t>(points.size());
+  order.keys = Array<std::uint32_t>(points.size());
+  parallel_parts(points.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      order.rows[i] = row_of(keyed[i]);
+      order.keys[i] = key_of(keyed[i]);
+    }
+  });
   keyed = {};
-
-  // Cells of several points; from the first duplicate on the starts of all sites are kept.
-  bool duplicates = false;
-  std::uint32_t sites = 0;
-  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-    const std::uint32_t key = order.keys[begin];
-    for (end = begin + 1; end < count && order.keys[end] == key;) ++end;
-    const auto rows = std::span(order.rows).subspan(begin, end - begin);
-    if (rows.size() > 1) {
-      order_cell(rows, points, 1);
-      if (!duplicates && count_distinct(rows, points) < rows.size()) {
-        duplicates = true;
-        order.starts.resize(begin);
-        std::iota(order.starts.begin(), order.starts.end(), 0u);
-      }
-    }
-    for (std::uint32_t i = begin; i < end; ++i) {
-      if (duplicates && i > begin && points[order.rows[i]] == points[order.rows[i - 1]]) continue;
-      if (duplicates) order.starts.push_back(i);
-      order.keys[sites++] = key;
-    }
-  }
-  order.keys.resize(sites);
-  if (duplicates) order.starts.push_back(count);
+  if (order_cells(order.rows, order.keys, points, parts)) part_sites(order, points);
   return order;
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/array.hpp"
 #include "thalweg/point.hpp"
 
 namespace thalweg::detail {
@@ -23,10 +24,10 @@ inline constexpr int kKeyLevels = 4;
 
 /// All points in spatial order: equal points adjacent, the lowest row first among equals.
 struct SpatialOrder {
-  std::vector<std::uint32_t> rows;  ///< the caller's row at each position of the order
+  Array<std::uint32_t> rows;  ///< the caller's row at each position of the order
   std::vector<std::uint32_t>
-      starts;  ///< site s is rows[starts[s] .. starts[s+1]); empty if all points are distinct
-  std::vector<std::uint32_t> keys;  ///< the key of each site in the box of all, ascending
+      starts;                 ///< site s is rows[starts[s] .. starts[s+1]); empty if all points are distinct
+  Array<std::uint32_t> keys;  ///< the key of each site in the box of all, ascending
 
   bool distinct() const noexcept { return starts.empty(); }
   std::uint32_t site_count() const noexcept { return static_cast<std::uint32_t>(keys.size()); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/assert.hpp"
+#include "kernel/parallel.hpp"
 
 namespace thalweg {
 namespace {
@@ -33,7 +34,9 @@ class HalfedgeIndex {
   /// Requires: all origins are less than vertex_count.
   HalfedgeIndex(const Triangulation& t, std::uint32_t vertex_count)
       : starts_(vertex_count + std::size_t{1}, 0), entries_(t.halfedge_count()) {
-    for (const std::uint32_t v : t.origins()) ++starts_[v + std::size_t{1}];
+    for (std::uint32_t i = 0; i < t.halfedge_count(); ++i) {
+      ++starts_[t.origin(HalfedgeId(i)).index() + std::size_t{1}];
+    }
     for (std::uint32_t v = 0; v < vertex_count; ++v) starts_[v + std::size_t{1}] += starts_[v];
     std::vector<std::uint32_t> place(starts_.begin(), starts_.end() - 1);
     for (std::uint32_t i = 0; i < t.halfedge_count(); ++i) {
@@ -104,14 +107,85 @@ std::optional<Triangulation> Triangulation::from_triangles(std::span<const Trian
   return result;
 }
 
-Triangulation Triangulation::from_arrays(std::vector<std::uint32_t> origin, std::vector<std::uint32_t> twin,
-                                         std::uint32_t vertex_count) {
+Triangulation Triangulation::from_arrays(std::span<const std::uint32_t> origin,
+                                         std::span<const std::uint32_t> twin, std::uint32_t vertex_count) {
   Triangulation result;
-  result.origin_ = std::move(origin);
-  result.twin_ = std::move(twin);
+  result.origin_.assign(origin.begin(), origin.end());
+  result.twin_.assign(twin.begin(), twin.end());
   result.outgoing_.assign(vertex_count, kNone);
   result.set_outgoing();
   return result;
+}
+
+Triangulation detail::linked(Array<std::uint32_t> origin, Array<std::uint32_t> twin,
+                             Array<std::uint32_t> outgoing) {
+  Triangulation result;
+  result.origin_ = std::move(origin);
+  result.twin_ = std::move(twin);
+  result.outgoing_ = std::move(outgoing);
+  return result;
+}
+
+Triangulation Triangulation::revision_of(const Triangulation& base) {
+  THALWEG_ASSERT(!base.is_revision());
+  Triangulation result;
+  result.base_ = &base;
+  result.outgoing_ = base.outgoing_;
+  result.pages_.assign((base.halfedge_count() + kPage - 1) / kPage, kShared);
+  return result;
+}
+
+/// Where the numbers of h are in the arrays of this triangulation; a revision copies their page first.
+std::size_t Triangulation::own_place(HalfedgeId h) {
+  if (!is_revision()) return h.index();
+  std::uint32_t& page = pages_[h.index() / kPage];
+  if (page == kShared) {
+    const std::size_t begin = h.index() / kPage * std::size_t{kPage};
+    const std::size_t end = std::min<std::size_t>(begin + kPage, halfedge_count());
+    const std::size_t place = origin_.size();
+    origin_.resize(place + kPage);
+    twin_.resize(place + kPage);
+    std::copy(base_->origin_.data() + begin, base_->origin_.data() + end, origin_.data() + place);
+    std::copy(base_->twin_.data() + begin, base_->twin_.data() + end, twin_.data() + place);
+    page = static_cast<std::uint32_t>(place / kPage);
+  }
+  return page * std::size_t{kPage} + h.index() % kPage;
+}
+
+std::vector<FaceId> Triangulation::revised_faces() const {
+  THALWEG_ASSERT(is_revision());
+  std::vector<FaceId> faces;
+  for (std::uint32_t i = 0; i < pages_.size(); ++i) {
+    if (pages_[i] == kShared) continue;
+    const std::uint32_t last = std::min(i * kPage + kPage, halfedge_count()) - 1;
+    for (std::uint32_t f = i * kPage / 3; f <= last / 3; ++f) {
+      if (faces.empty() || faces.back() < FaceId(f)) faces.emplace_back(f);
+    }
+  }
+  return faces;
+}
+
+void Triangulation::take(Triangulation&& revision) {
+  THALWEG_ASSERT(revision.base_ == this);
+  for (std::size_t i = 0; i < revision.pages_.size(); ++i) {
+    if (revision.pages_[i] == kShared) continue;
+    const std::size_t begin = i * kPage, length = std::min<std::size_t>(kPage, halfedge_count() - begin);
+    const std::size_t place = revision.pages_[i] * std::size_t{kPage};
+    std::copy_n(revision.origin_.data() + place, length, origin_.data() + begin);
+    std::copy_n(revision.twin_.data() + place, length, twin_.data() + begin);
+  }
+  outgoing_ = std::move(revision.outgoing_);
+  revision = Triangulation();
+}
+
+bool operator==(const Triangulation& a, const Triangulation& b) noexcept {
+  if (a.halfedge_count() != b.halfedge_count() || a.outgoing_ != b.outgoing_) return false;
+  if (!a.is_revision() && !b.is_revision()) return a.origin_ == b.origin_ && a.twin_ == b.twin_;
+  for (std::uint32_t i = 0; i < a.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    if (a.origin(h) != b.origin(h) || a.twin(h) != b.twin(h)) return false;
+  }
+  return true;
 }
 
 void Triangulation::set_outgoing() {
@@ -122,9 +196,9 @@ void Triangulation::set_outgoing() {
   }
 }
 
-void Triangulation::link(HalfedgeId h, HalfedgeId twin) noexcept {
-  twin_[h.index()] = twin.index();
-  if (twin.valid()) twin_[twin.index()] = h.index();
+void Triangulation::link(HalfedgeId h, HalfedgeId twin) {
+  set_twin(h, twin);
+  if (twin.valid()) set_twin(twin, h);
 }
 
 HalfedgeId Triangulation::find_halfedge(VertexId u, VertexId v) const noexcept {
@@ -141,19 +215,19 @@ bool Triangulation::joined(VertexId u, VertexId v) const noexcept {
   return find_halfedge(u, v).valid() || find_halfedge(v, u).valid();
 }
 
-HalfedgeId Triangulation::flip(HalfedgeId h) noexcept {
+HalfedgeId Triangulation::flip(HalfedgeId h) {
   THALWEG_ASSERT(!on_hull(h));
   const HalfedgeId bc_old = next(h), ca_old = prev(h);
   const HalfedgeId t = twin(h), ad_old = next(t), db_old = prev(t);
   const VertexId a = origin(h), b = origin(t), c = origin(ca_old), d = origin(db_old);
   const HalfedgeId bc = twin(bc_old), ca = twin(ca_old), ad = twin(ad_old), db = twin(db_old);
 
-  origin_[h.index()] = d.index();  // h: d -> c, then c -> a, a -> d
-  origin_[bc_old.index()] = c.index();
-  origin_[ca_old.index()] = a.index();
-  origin_[t.index()] = c.index();  // t: c -> d, then d -> b, b -> c
-  origin_[ad_old.index()] = d.index();
-  origin_[db_old.index()] = b.index();
+  set_origin(h, d);  // h: d -> c, then c -> a, a -> d
+  set_origin(bc_old, c);
+  set_origin(ca_old, a);
+  set_origin(t, c);  // t: c -> d, then d -> b, b -> c
+  set_origin(ad_old, d);
+  set_origin(db_old, b);
   link(bc_old, ca);
   link(ca_old, ad);
   link(ad_old, db);
@@ -170,14 +244,14 @@ void Triangulation::settle_outgoing(std::span<const FaceId> faces) noexcept {
   for (const FaceId f : faces) {
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = halfedge(f, corner);
-      std::uint32_t& out = outgoing_[origin_[h.index()]];
-      if (origin_[out] != origin_[h.index()]) out = h.index();
+      std::uint32_t& out = outgoing_[origin(h).index()];
+      if (origin(HalfedgeId(out)) != origin(h)) out = h.index();
     }
   }
   for (const FaceId f : faces) {
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = halfedge(f, corner);
-      if (on_hull(h)) outgoing_[origin_[h.index()]] = h.index();
+      if (on_hull(h)) outgoing_[origin(h).index()] = h.index();
     }
   }
 }
@@ -205,7 +279,7 @@ void Triangulation::replace(std::span<const FaceId> olds, std::span<const Triang
   for (std::size_t i = 0; i < olds.size(); ++i) {
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = halfedge(olds[i], corner);
-      origin_[h.index()] = news[i][corner].index();
+      set_origin(h, news[i][corner]);
       fresh.push_back({news[i][corner], news[i][(corner + 1) % 3], h});
     }
   }
@@ -218,7 +292,7 @@ void Triangulation::replace(std::span<const FaceId> olds, std::span<const Triang
   for (const DirectedEdge& e : fresh) {
     // A new twin goes first: an edge that dangles into the region has both its sides within.
     if (const DirectedEdge* twin = find(fresh, e.to, e.from)) {
-      twin_[e.halfedge.index()] = twin->halfedge.index();
+      set_twin(e.halfedge, twin->halfedge);
     } else {
       const DirectedEdge* outer = find(border, e.from, e.to);
       THALWEG_ASSERT(outer != nullptr);
@@ -228,13 +302,23 @@ void Triangulation::replace(std::span<const FaceId> olds, std::span<const Triang
   settle_outgoing(olds);
 }
 
-Triangulation Triangulation::renamed(std::span<const std::uint32_t> names, std::uint32_t vertex_count) && {
-  THALWEG_ASSERT(names.size() == this->vertex_count());
+Triangulation Triangulation::renamed(std::span<const std::uint32_t> names, std::uint32_t vertex_count,
+                                     unsigned threads) && {
+  THALWEG_ASSERT(!is_revision() && names.size() == this->vertex_count());
+  constexpr std::size_t kLeast = 1u << 16;
   Triangulation result;
-  result.outgoing_.assign(vertex_count, kNone);
-  for (std::size_t v = 0; v < names.size(); ++v) result.outgoing_[names[v]] = outgoing_[v];
+  result.outgoing_ = Numbers(vertex_count);
+  if (names.size() < vertex_count) std::fill(result.outgoing_.begin(), result.outgoing_.end(), kNone);
+  detail::parallel_parts(names.size(), detail::parts_of(names.size(), kLeast, threads),
+                         [&](std::size_t, std::size_t begin, std::size_t end) {
+                           for (std::size_t v = begin; v < end; ++v)
+                             result.outgoing_[names[v]] = outgoing_[v];
+                         });
+  detail::parallel_parts(origin_.size(), detail::parts_of(origin_.size(), kLeast, threads),
+                         [&](std::size_t, std::size_t begin, std::size_t end) {
+                           for (std::size_t h = begin; h < end; ++h) origin_[h] = names[origin_[h]];
+                         });
   result.origin_ = std::move(origin_);
-  for (std::uint32_t& v : result.origin_) v = names[v];
   result.twin_ = std::move(twin_);
   return result;
 }
@@ -245,7 +329,8 @@ std::optional<std::string> Triangulation::find_fault() const {
 
   for (std::uint32_t i = 0; i < count; ++i) {
     const HalfedgeId h(i);
-    if (origin_[i] >= vertex_count()) return "half-edge " + std::to_string(i) + " has an origin out of range";
+    if (origin(h).index() >= vertex_count())
+      return "half-edge " + std::to_string(i) + " has an origin out of range";
     if (origin(h) == dest(h)) return "face " + std::to_string(i / 3) + " repeats a vertex";
   }
   const HalfedgeIndex index(*this, vertex_count());

@@ -17,29 +17,29 @@ namespace {
 constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 31;  ///< of comparing two boxes: seconds
 constexpr std::uint64_t kStepsOfTest = 32;                    ///< what an exact test costs in these
 
-struct Box {
+struct ItemBox {
   double min_x, max_x, min_y, max_y;
   std::uint32_t item;
 };
 
 template <class... Points>
-Box box_of(std::uint32_t item, Points... p) {
+ItemBox box_of(std::uint32_t item, Points... p) {
   return {std::min({p.x...}), std::max({p.x...}), std::min({p.y...}), std::max({p.y...}), item};
 }
 
 /// Calls visit(lower item, higher item) for pairs of touching boxes. Returns whether all were visited: it
 /// stops when `visit` returns false or there have been too many steps.
 template <class Visit>
-bool sweep(std::vector<Box> boxes, Visit&& visit) {
-  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
+bool sweep(std::vector<ItemBox> boxes, Visit&& visit) {
+  std::sort(boxes.begin(), boxes.end(), [](const ItemBox& a, const ItemBox& b) {
     return a.min_x != b.min_x ? a.min_x < b.min_x : a.item < b.item;
   });
   std::uint64_t steps = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box a = boxes[i];
+    const ItemBox a = boxes[i];
     std::size_t j = i + 1;
     for (; j < boxes.size() && boxes[j].min_x <= a.max_x; ++j) {
-      const Box& b = boxes[j];
+      const ItemBox& b = boxes[j];
       if (b.min_y > a.max_y || b.max_y < a.min_y) continue;
       if (!visit(std::min(a.item, b.item), std::max(a.item, b.item))) return false;
       steps += kStepsOfTest;
@@ -50,9 +50,9 @@ bool sweep(std::vector<Box> boxes, Visit&& visit) {
   return true;
 }
 
-class Search {
+class FaultSearch {
  public:
-  Search(const CleanMesh& mesh, FaultLog& log) : mesh_(mesh), log_(log) {}
+  FaultSearch(const CleanMesh& mesh, FaultLog& log) : mesh_(mesh), log_(log) {}
 
   void find_crossings();
   void find_overlaps_and_holes();
@@ -82,19 +82,19 @@ class Search {
   FaultLog& log_;
 };
 
-bool Search::edges_cross(Edge e, Edge f) const noexcept {
+bool FaultSearch::edges_cross(Edge e, Edge f) const noexcept {
   return turn(e.from, e.to, f.from) * turn(e.from, e.to, f.to) < 0 &&
          turn(f.from, f.to, e.from) * turn(f.from, f.to, e.to) < 0;
 }
 
 /// Requires: v in the closed box of e.
-bool Search::inside_edge(std::uint32_t v, Edge e) const noexcept {
+bool FaultSearch::inside_edge(std::uint32_t v, Edge e) const noexcept {
   return v != e.from && v != e.to && turn(e.from, e.to, v) == 0;
 }
 
 /// Whether a side of s has all of t on its right or on its line. Two convex polygons have disjoint interiors
 /// if and only if this holds for a side of one of them.
-bool Search::separated(const Corners& s, const Corners& t) const noexcept {
+bool FaultSearch::separated(const Corners& s, const Corners& t) const noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t u = s[i], v = s[(i + 1) % 3];
     if (turn(u, v, t[0]) <= 0 && turn(u, v, t[1]) <= 0 && turn(u, v, t[2]) <= 0) return true;
@@ -104,7 +104,7 @@ bool Search::separated(const Corners& s, const Corners& t) const noexcept {
 
 /// Whether t covers the points next to q.at in the direction q.toward turned by an infinitesimal angle,
 /// clockwise if q.right.
-bool Search::covers(const Corners& t, const Query& q) const noexcept {
+bool FaultSearch::covers(const Corners& t, const Query& q) const noexcept {
   const int nudged = q.right ? -1 : 1;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
@@ -127,7 +127,7 @@ bool Search::covers(const Corners& t, const Query& q) const noexcept {
   return true;
 }
 
-void Search::find_crossings() {
+void FaultSearch::find_crossings() {
   const auto edge_count = static_cast<std::uint32_t>(mesh_.edges.size());
   std::vector<std::uint32_t> places;
   for (const Edge e : mesh_.edges) {
@@ -137,7 +137,7 @@ void Search::find_crossings() {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
-  std::vector<Box> boxes;
+  std::vector<ItemBox> boxes;
   boxes.reserve(mesh_.edges.size() + places.size());
   for (std::uint32_t i = 0; i < edge_count; ++i) {
     boxes.push_back(box_of(i, mesh_.points[mesh_.edges[i].from], mesh_.points[mesh_.edges[i].to]));
@@ -165,7 +165,7 @@ void Search::find_crossings() {
 /// A border edge off the hull has a hole on its right unless something covers it there. Both its ends are
 /// asked, because a crossing may lie between. (A hole whose every corner is a crossing is logged as those
 /// crossings only.)
-void Search::find_overlaps_and_holes() {
+void FaultSearch::find_overlaps_and_holes() {
   const auto triangle_count = static_cast<std::uint32_t>(mesh_.corners.size());
   std::vector<Query> queries;
   for (std::uint32_t i = 0; i < mesh_.border.size(); ++i) {
@@ -176,7 +176,7 @@ void Search::find_overlaps_and_holes() {
     queries.push_back({e.to, e.from, false, i});
   }
 
-  std::vector<Box> boxes;
+  std::vector<ItemBox> boxes;
   boxes.reserve(mesh_.corners.size() + queries.size());
   for (std::uint32_t i = 0; i < triangle_count; ++i) {
     const Corners& t = mesh_.corners[i];
@@ -206,7 +206,7 @@ void Search::find_overlaps_and_holes() {
 }
 
 /// Border edges with common ends count as one hole.
-void Search::log_holes(const std::vector<Query>& queries) {
+void FaultSearch::log_holes(const std::vector<Query>& queries) {
   std::vector<Edge> open;
   for (std::size_t i = 0; i < queries.size(); i += 2) {
     if (!queries[i].covered || !queries[i + 1].covered) open.push_back(mesh_.border[queries[i].border]);
@@ -233,7 +233,7 @@ void Search::log_holes(const std::vector<Query>& queries) {
 }  // namespace
 
 void search_faults(const CleanMesh& mesh, FaultLog& log) {
-  Search search(mesh, log);
+  FaultSearch search(mesh, log);
   search.find_crossings();
   search.find_overlaps_and_holes();
   if (!log.empty()) return;

@@ -15,7 +15,6 @@
 #include <algorithm>
 
 #include "kernel/assert.hpp"
-#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 #include "order/circle_plane.hpp"
 
@@ -25,18 +24,17 @@ DelaunayGraph::DelaunayGraph(std::span<const Point2> sites, const Triangulation&
     : sites_(sites), delaunay_(&delaunay) {
   THALWEG_ASSERT(sites.size() == delaunay.vertex_count());
   const std::uint32_t count = delaunay.vertex_count();
-  starts_ = detail::large_vector<std::uint32_t>(count + std::size_t{1});
+  starts_.resize(count + std::size_t{1});
+  starts_[0] = 0;
   // Every edge once from each of its half-edges, and a hull edge once more from its only one.
   neighbors_.reserve(delaunay.halfedge_count() + std::size_t{count} / 16);
-  detail::prefer_huge_pages(neighbors_.data(), neighbors_.capacity() * sizeof(VertexId));
   for (std::uint32_t i = 0; i < count; ++i) {
     delaunay.for_each_neighbor(VertexId(i), [&](VertexId v) { neighbors_.push_back(v); });
     starts_[i + 1] = static_cast<std::uint32_t>(neighbors_.size());
   }
 }
 
-CircleCounter::CircleCounter(const DelaunayGraph& graph)
-    : graph_(&graph), stamp_(detail::large_vector<std::uint32_t>(graph.sites().size())) {
+CircleCounter::CircleCounter(const DelaunayGraph& graph) : graph_(&graph), stamp_(graph.sites().size(), 0u) {
   if (graph.voronoi() != nullptr) located_.emplace(*graph.voronoi());
 }
 
@@ -48,9 +46,17 @@ unsigned CircleCounter::count_in_circle(VertexId u, VertexId v, VertexId w, unsi
       diagram != nullptr && (limit < diagram->order() || diagram->order() == diagram->site_count());
   if (!is_deep_enough) return crawl(u, v, w, limit, known);
   const unsigned count = located_->count_in_circle(u, v, w, limit);
-  queue_.assign(1, u);
-  queue_.insert(queue_.end(), located_->inside().begin(), located_->inside().end());
+  inside_count_ = located_->inside().size();
+  make_room(1 + inside_count_);
+  std::copy(located_->inside().begin(), located_->inside().end(), queue_.begin() + 1);
   return count;
+}
+
+/// Lets both lists hold so many vertices, whatever they hold now.
+void CircleCounter::make_room(std::size_t size) {
+  if (size <= queue_.size()) return;
+  queue_.resize(2 * size);
+  fresh_.resize(2 * size);
 }
 
 unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit,
@@ -61,37 +67,41 @@ unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit
   }
   const detail::CirclePlane circle(graph_->point(u), graph_->point(v), graph_->point(w));
   THALWEG_ASSERT(detail::orient2d_sign(graph_->point(u), graph_->point(v), graph_->point(w)) > 0);
-  stamp_[u.index()] = stamp_[v.index()] = stamp_[w.index()] = epoch_;
+  // Copies, which the compiler can keep in registers: no store can change them.
+  const std::uint32_t epoch = epoch_;
+  std::uint32_t* const stamp = stamp_.data();
+  stamp[u.index()] = stamp[v.index()] = stamp[w.index()] = epoch;
 
-  queue_.assign(1, u);
+  make_room(1 + known.size());
+  queue_[0] = u;
+  std::size_t size = 1;
   for (const VertexId site : known) {
-    if (stamp_[site.index()] == epoch_) continue;
+    if (stamp[site.index()] == epoch) continue;
     THALWEG_ASSERT(circle.holds(graph_->point(site)));
-    stamp_[site.index()] = epoch_;
-    queue_.push_back(site);
+    stamp[site.index()] = epoch;
+    queue_[size++] = site;
   }
   // The sites inside are connected: a corner is only needed to find the first of them.
-  for (std::size_t head = queue_.size() == 1 ? 0 : 1; head < queue_.size() && queue_.size() - 1 <= limit;
-       ++head) {
+  for (std::size_t head = size == 1 ? 0 : 1; head < size && size - 1 <= limit; ++head) {
     // Which neighbours are new, and which of these are inside, is a toss of a coin: both are appended without
     // a branch on it.
     const auto neighbors = graph_->neighbors(queue_[head]);
-    fresh_.resize(std::max(fresh_.size(), neighbors.size()));
+    make_room(size + neighbors.size());
+    VertexId* const fresh = fresh_.data();
     std::size_t fresh_count = 0;
     for (const VertexId site : neighbors) {
-      fresh_[fresh_count] = site;
-      fresh_count += stamp_[site.index()] != epoch_ ? 1 : 0;
-      stamp_[site.index()] = epoch_;
+      fresh[fresh_count] = site;
+      fresh_count += stamp[site.index()] != epoch ? 1 : 0;
+      stamp[site.index()] = epoch;
     }
-    std::size_t size = queue_.size();
-    queue_.resize(size + fresh_count);
+    VertexId* const queue = queue_.data();
     for (std::size_t i = 0; i < fresh_count; ++i) {
-      queue_[size] = fresh_[i];
-      size += circle.holds(graph_->point(fresh_[i])) ? 1 : 0;
+      queue[size] = fresh[i];
+      size += circle.holds(graph_->point(fresh[i])) ? 1 : 0;
     }
-    queue_.resize(size);
   }
-  return static_cast<unsigned>(std::min<std::size_t>(queue_.size() - 1, limit + std::size_t{1}));
+  inside_count_ = size - 1;
+  return static_cast<unsigned>(std::min<std::size_t>(inside_count_, limit + std::size_t{1}));
 }
 
 std::vector<std::uint32_t> face_orders(const DelaunayGraph& graph, const Triangulation& triangulation,

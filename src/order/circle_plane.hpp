@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "kernel/predicates_inline.hpp"
 #include "thalweg/point.hpp"
@@ -9,7 +10,7 @@
 namespace thalweg::detail {
 
 /// The circle through u, v, w as a plane: lifted to the paraboloid and moved so that u is the origin, a site
-/// d lies below it iff it is inside. A test costs 5 multiplications and 3 for its error bound; what that
+/// d lies below it iff it is inside. A test costs 5 multiplications and 1 for its error bound; what that
 /// leaves open, the exact predicate decides.
 class CirclePlane {
  public:
@@ -20,10 +21,12 @@ class CirclePlane {
     a_ = vy * w2 - wy * v2;
     b_ = vx * w2 - wx * v2;
     c_ = vx * wy - wx * vy;
-    a_size_ = std::fabs(vy) * w2 + std::fabs(wy) * v2;
-    b_size_ = std::fabs(vx) * w2 + std::fabs(wx) * v2;
-    c_size_ = std::fabs(vx * wy) + std::fabs(wx * vy);
-    in_range_ = v2 < kRange && w2 < kRange;
+    const double reach = (std::fabs(vx) + std::fabs(vy)) + (std::fabs(wx) + std::fabs(wy));
+    const double ab_size = (std::fabs(vx) + std::fabs(vy)) * w2 + (std::fabs(wx) + std::fabs(wy)) * v2;
+    const double c_size = std::fabs(vx * wy) + std::fabs(wx * vy);
+    const bool in_range = v2 < kRange && w2 < kRange;
+    error_by_square_ = kBound * (c_size + ab_size / reach / 2);
+    error_ = in_range ? kBound * (ab_size * reach / 2) + kUnderflow : std::numeric_limits<double>::infinity();
   }
 
   /// Whether d is strictly inside. Exact.
@@ -31,8 +34,7 @@ class CirclePlane {
     const double x = d.x - u_.x, y = d.y - u_.y;
     const double d2 = x * x + y * y;
     const double det = (y * b_ - x * a_) - d2 * c_;
-    const double size = std::fabs(y) * b_size_ + std::fabs(x) * a_size_ + d2 * c_size_;
-    if (std::fabs(det) > kBound * size + kUnderflow && in_range_ && d2 < kRange) [[likely]]
+    if (std::fabs(det) > d2 * error_by_square_ + error_ && d2 < kRange) [[likely]]
       return det > 0;
     return incircle_sign(u_, v_, w_, d) > 0;
   }
@@ -42,8 +44,11 @@ class CirclePlane {
   // wx vy). Error, r = 2^-53, to first order: a difference of coordinates carries r; a squared length 4 r
   // (two differences, one product, one sum). So a product in a_ or b_ carries 1 + 4 + 1 = 6 r, their
   // difference one more: 7 r; times x or y (1) and the product (1): 9 r; the two last sums: 11 r. d2 c_: 4 +
-  // (2 + 1 + 1) + 1 = 9 r, the last sum: 10 r. Each relative to the size of its terms, which `size` adds up,
-  // itself low by at most 9 r. 16 r covers the terms of higher order with room to spare.
+  // (2 + 1 + 1) + 1 = 9 r, the last sum: 10 r. Each relative to the size of its terms: |y| b + |x| a + d2 c,
+  // with a, b, c for a_, b_, c_ with all signs positive. The first two are at most (a + b) |d|, and |d| is at
+  // most (d2 / s + s) / 2 for any s > 0: least where s = |d|, so s is taken to be about the size of the
+  // circle. This bound of the sizes, as computed, is low by less than 20 r. 16 r covers that and the terms of
+  // higher order with room to spare.
   static constexpr double kBound = 16 * kUnitRoundoff;
   static_assert(kBound >= 11 * kUnitRoundoff * (1 + 64 * kUnitRoundoff) + 64 * kUnitRoundoff * kUnitRoundoff);
   // An operation that underflows is wrong by at most 2^-1075, and is multiplied afterwards by two lengths or
@@ -54,8 +59,7 @@ class CirclePlane {
 
   Point2 u_, v_, w_;
   double a_, b_, c_;
-  double a_size_, b_size_, c_size_;
-  bool in_range_;
+  double error_by_square_, error_;
 };
 
 }  // namespace thalweg::detail

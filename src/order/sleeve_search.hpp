@@ -36,6 +36,7 @@
 #include <vector>
 
 #include "kernel/predicates_inline.hpp"
+#include "order/half_disks.hpp"
 #include "thalweg/circle_count.hpp"
 
 namespace thalweg::detail {
@@ -43,8 +44,11 @@ namespace thalweg::detail {
 /// Searches from one site at a time. Holds scratch memory: one per thread.
 class SleeveSearch {
  public:
-  /// Requires: graph and counter outlive the search.
-  SleeveSearch(const DelaunayGraph& graph, CircleCounter& counter) : graph_(&graph), counter_(&counter) {}
+  /// Requires: graph and counter outlive the search. From the order `half_disks_from` on the walk is pruned
+  /// by half disks too: that is a matter of speed only.
+  SleeveSearch(const DelaunayGraph& graph, CircleCounter& counter,
+               unsigned half_disks_from = HalfDisks::kLeastOrder)
+      : graph_(&graph), counter_(&counter), half_disks_from_(half_disks_from) {}
 
   /// Calls found(q, order) once for every site q with wanted(q) and a useful order of at most k with p; stops
   /// early and returns true if found returns true. In no particular order, but a function of the
@@ -57,6 +61,8 @@ class SleeveSearch {
       if (wanted(q) && found(q, 0u)) return true;
     }
     if (t.isolated(p)) return false;
+    uses_half_disks_ = k >= half_disks_from_;
+    if (uses_half_disks_) half_disks_.gather(*graph_, p, k);
     for (HalfedgeId h = t.outgoing(p), first = h; h.valid();) {
       if (run_cone(p, Triangulation::next(h), k, wanted, found)) return true;
       h = t.turn_ccw(h);
@@ -97,10 +103,11 @@ class SleeveSearch {
     branches_.clear();
     Cone cone{edge, ray_to(a), ray_to(b), true};
     for (;;) {
-      if (advance(cone, k)) {
+      if (!(is_deep(k) && is_out_of_reach(cone, k)) && advance(cone, k)) {
         const VertexId c = apex_.site;
         const bool is_inside = right_of_left_ && left_of_right_;
-        if (is_inside && wanted(c)) {
+        if (is_inside && wanted(c) &&
+            !(uses_half_disks_ && half_disks_.exceed(k, apex_, apex_, apex_, apex_))) {
           const unsigned order = cone.cocircular ? 0 : order_with(p, c, k);
           if (order <= k && found(c, order)) return true;
         }
@@ -154,6 +161,19 @@ class SleeveSearch {
     right_of_left_ = turn(cone.left, apex_) < 0;
     left_of_right_ = turn(cone.right, apex_) > 0;
     return true;
+  }
+
+  /// Whether the sleeve is so long, in sites, that a test of its half disks is worth its time: it takes that
+  /// of many steps, seldom tells at once, and tells more the further the walk has come.
+  bool is_deep(unsigned k) const noexcept {
+    const std::size_t length = left_.size() + right_.size();
+    return uses_half_disks_ && length % 5 == 0 && length * length >= 8 * std::size_t{k};
+  }
+
+  bool is_out_of_reach(const Cone& cone, unsigned k) const {
+    const Triangulation& t = graph_->delaunay();
+    return half_disks_.exceed(k, ray_to(t.origin(cone.edge)), ray_to(t.dest(cone.edge)), cone.right,
+                              cone.left);
   }
 
   Ray ray_to(VertexId v) const {
@@ -210,6 +230,9 @@ class SleeveSearch {
   Point2 at_p_{};
   Ray apex_{};
   bool right_of_left_ = false, left_of_right_ = false;
+  HalfDisks half_disks_;
+  unsigned half_disks_from_;
+  bool uses_half_disks_ = false;
   std::vector<VertexId> left_, right_;
   std::vector<Branch> branches_;
 };

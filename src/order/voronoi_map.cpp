@@ -12,7 +12,7 @@ namespace thalweg::detail {
 namespace {
 
 /// Half-edges that one thread looks at before it asks for more.
-constexpr std::size_t kChunk = 3 << 13;
+constexpr std::size_t kMapChunk = 3 << 13;
 
 /// The polygon of the sites gained around the cell of h, infinity last.
 ///
@@ -66,10 +66,10 @@ void find_cells_from(const VoronoiMap& map, std::size_t begin, std::size_t end, 
 std::vector<CellChunk> find_cells(const VoronoiMap& map, unsigned threads) {
   const std::size_t offset = 3 * std::size_t{map.old_count};
   const std::size_t count = map.twin.size() - offset;
-  std::vector<CellChunk> chunks((count + kChunk - 1) / kChunk);
-  parallel_chunks(count, kChunk, threads, [&] {
+  std::vector<CellChunk> chunks((count + kMapChunk - 1) / kMapChunk);
+  parallel_chunks(count, kMapChunk, threads, [&] {
     return [&, seen = std::vector<char>()](std::size_t begin, std::size_t end) mutable {
-      find_cells_from(map, offset + begin, offset + end, seen, chunks[begin / kChunk]);
+      find_cells_from(map, offset + begin, offset + end, seen, chunks[begin / kMapChunk]);
     };
   });
   return chunks;

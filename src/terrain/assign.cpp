@@ -14,7 +14,7 @@
 namespace thalweg::detail {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoOwner = 0xffffffffu;
 
 /// The constrained Delaunay triangulation with the chosen exits. Inserting them one after another gives it: a
 /// sleeve crosses no earlier exit, and a constrained Delaunay triangulation changes only within the sleeve of
@@ -22,8 +22,8 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 Outcome insert_all(const Surface& surface, const Units& units, std::span<const std::uint32_t> chosen,
                    const Watch& watch, std::vector<std::uint32_t>* owner = nullptr) {
   Outcome outcome;
-  outcome.triangulation = surface.delaunay();
-  if (owner != nullptr) owner->assign(outcome.triangulation.face_count(), kNone);
+  outcome.triangulation = Triangulation::revision_of(surface.delaunay());
+  if (owner != nullptr) owner->assign(outcome.triangulation.face_count(), kNoOwner);
   EdgeInsertion insertion;
   for (const std::uint32_t e : chosen) {
     const Exit& exit = units.exits[e].exit;
@@ -59,7 +59,11 @@ bool is_of_order(const Surface& surface, unsigned k, Outcome& outcome) {
 class UneasyPairs {
  public:
   UneasyPairs(const Surface& surface, const Plan& plan, unsigned k)
-      : surface_(surface), plan_(plan), k_(k), counter_(surface.graph()), work_(surface.delaunay()) {}
+      : surface_(surface),
+        plan_(plan),
+        k_(k),
+        counter_(surface.graph()),
+        work_(Triangulation::revision_of(surface.delaunay())) {}
 
   std::vector<ExitPair> find() {
     auto pairs = meeting_pairs(surface_, plan_.units.exits).value_or(std::vector<ExitPair>());
@@ -106,7 +110,7 @@ std::vector<std::vector<RequiredEdge>> offending_groups(const Surface& surface, 
   std::vector<std::uint8_t> offends(exits.size(), 0);
   CircleCounter counter(surface.graph());
   for (const FaceId f : changed_faces(surface, outcome.triangulation)) {
-    if (owner[f.index()] == kNone || counter.order_at_most(k, outcome.triangulation.corners(f))) continue;
+    if (owner[f.index()] == kNoOwner || counter.order_at_most(k, outcome.triangulation.corners(f))) continue;
     const auto place = std::lower_bound(chosen.begin(), chosen.end(), owner[f.index()]) - chosen.begin();
     offends[groups.find(static_cast<std::uint32_t>(place))] = 1;
   }

@@ -11,7 +11,7 @@
 namespace thalweg::detail {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kUnset = 0xffffffffu;
 
 /// Steps that one component may take: a fraction of a second. Real terrain needs a few thousand in all.
 constexpr std::uint64_t kComponentBudget = 300'000;
@@ -83,7 +83,7 @@ class Kernel {
 /// Branch and bound over the open units of one component.
 class Component {
  public:
-  /// `blocked`, `choice`: scratch by exit and by unit, zero and kNone, and so again afterwards.
+  /// `blocked`, `choice`: scratch by exit and by unit, zero and kUnset, and so again afterwards.
   Component(const Units& units, const Crossings& crossings, const Kernel& kernel,
             std::vector<std::uint32_t> members, std::vector<std::uint32_t>& blocked,
             std::vector<std::uint32_t>& choice)
@@ -142,7 +142,7 @@ class Component {
   /// One unit's turn: the exits still to try, then going without.
   struct Turn {
     std::uint32_t next;  // next exit to try; past the end: go without; one further: done
-    std::uint32_t chosen = kNone;
+    std::uint32_t chosen = kUnset;
   };
 
   bool leads_away(const UnitExit& e) const noexcept {
@@ -157,9 +157,9 @@ class Component {
       ++steps_;
       Turn& turn = turns.back();
       const std::uint32_t unit = members_[turns.size() - 1], end = units_.starts[unit + 1];
-      if (turn.chosen != kNone) {
+      if (turn.chosen != kUnset) {
         release(turn.chosen);
-        turn.chosen = kNone;
+        turn.chosen = kUnset;
         --served;
       }
       const auto left = static_cast<std::uint32_t>(members_.size() - turns.size());
@@ -181,7 +181,7 @@ class Component {
       }
     }
     for (const Turn& turn : turns) {
-      if (turn.chosen != kNone) release(turn.chosen);
+      if (turn.chosen != kUnset) release(turn.chosen);
     }
   }
 
@@ -191,7 +191,7 @@ class Component {
     for (std::uint32_t at = units_.exits[e].target; at != Units::kGround;) {
       if (at == unit) return false;  // round in a circle
       const std::uint32_t onward = choice_[at];
-      if (onward == kNone) break;
+      if (onward == kUnset) break;
       at = units_.exits[onward].target;
     }
     return true;
@@ -205,7 +205,7 @@ class Component {
   }
 
   void release(std::uint32_t e) {
-    choice_[units_.exits[e].unit] = kNone;
+    choice_[units_.exits[e].unit] = kUnset;
     for (const std::uint32_t other : crossings_.of(e)) {
       if (kernel_.is_open(units_.exits[other].unit)) --blocked_[other];
     }
@@ -214,7 +214,7 @@ class Component {
   void keep() {
     std::vector<std::uint32_t> found;
     for (const std::uint32_t unit : members_) {
-      if (choice_[unit] != kNone) found.push_back(choice_[unit]);
+      if (choice_[unit] != kUnset) found.push_back(choice_[unit]);
     }
     if (found.size() > best_.size()) best_ = std::move(found);
   }
@@ -245,12 +245,12 @@ std::vector<std::vector<std::uint32_t>> components_of(const Units& units, const 
       }
     }
   }
-  std::vector<std::uint32_t> number(units.count, kNone);
+  std::vector<std::uint32_t> number(units.count, kUnset);
   std::vector<std::vector<std::uint32_t>> components;
   for (std::uint32_t u = 0; u < units.count; ++u) {
     if (!kernel.is_open(u)) continue;
     std::uint32_t& place = number[groups.find(u)];
-    if (place == kNone) {
+    if (place == kUnset) {
       place = static_cast<std::uint32_t>(components.size());
       components.emplace_back();
     }
@@ -278,7 +278,7 @@ Assignment solve_assignment(const Units& units, const Crossings& crossings, unsi
   std::vector<Solved> solved(components.size());
   const std::uint64_t budget =
       std::min(kComponentBudget, kTotalBudget / std::max<std::size_t>(1, components.size()));
-  std::vector<std::uint32_t> blocked(units.exits.size(), 0), choice(units.count, kNone);
+  std::vector<std::uint32_t> blocked(units.exits.size(), 0), choice(units.count, kUnset);
   parallel_chunks(components.size(), 1, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {

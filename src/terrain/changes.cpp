@@ -6,28 +6,45 @@
 #include <limits>
 #include <numbers>
 
+#include "kernel/parallel.hpp"
 #include "kernel/predicates_inline.hpp"
 
 namespace thalweg::detail {
 
+namespace {
+
+bool is_delaunay_edge(const Surface& surface, VertexId u, VertexId v) {
+  const auto neighbors = surface.graph().neighbors(u);
+  return std::find(neighbors.begin(), neighbors.end(), v) != neighbors.end();
+}
+
+}  // namespace
+
 std::vector<FaceId> changed_faces(const Surface& surface, const Triangulation& triangulation) {
   std::vector<FaceId> changed;
-  for (std::uint32_t i = 0; i < triangulation.face_count(); ++i) {
-    if (triangulation.corners(FaceId(i)) != surface.delaunay().corners(FaceId(i))) changed.emplace_back(i);
+  const auto add_if_changed = [&](FaceId f) {
+    if (triangulation.corners(f) != surface.delaunay().corners(f)) changed.push_back(f);
+  };
+  if (triangulation.is_revision()) {
+    for (const FaceId f : triangulation.revised_faces()) add_if_changed(f);
+  } else {
+    for (std::uint32_t i = 0; i < triangulation.face_count(); ++i) add_if_changed(FaceId(i));
   }
   return changed;
 }
 
 EdgeChanges edge_changes(const Surface& surface, const Triangulation& t, std::span<const FaceId> changed) {
   const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+  std::vector<bool> is_changed(t.face_count(), false);
+  for (const FaceId f : changed) is_changed[f.index()] = true;
   EdgeChanges result;
   for (const FaceId f : changed) {
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = Triangulation::halfedge(f, corner), twin = t.twin(h);
       if (!twin.valid()) continue;
-      const bool both = std::binary_search(changed.begin(), changed.end(), Triangulation::face(twin));
+      const bool both = is_changed[Triangulation::face(twin).index()];
       if (both && twin < h) continue;  // once an edge
-      if (both && !surface.delaunay().joined(t.origin(h), t.dest(h))) ++result.changed;
+      if (both && !is_delaunay_edge(surface, t.origin(h), t.dest(h))) ++result.changed;
       if (incircle_sign(at(t.origin(h)), at(t.dest(h)), at(t.apex(h)), at(t.apex(twin))) > 0)
         ++result.non_delaunay;
     }
@@ -36,15 +53,19 @@ EdgeChanges edge_changes(const Surface& surface, const Triangulation& t, std::sp
 }
 
 std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulation& triangulation,
-                                        std::span<const FaceId> changed, unsigned limit,
+                                        std::span<const FaceId> changed, unsigned limit, unsigned threads,
                                         std::uint64_t& counts) {
+  constexpr std::size_t kChunk = 1 << 12;
   std::vector<std::uint32_t> orders(triangulation.face_count(), 0);
-  CircleCounter counter(surface.graph());
-  for (const FaceId f : changed) {
-    const Triangle t = triangulation.corners(f);
-    orders[f.index()] = counter.count_in_circle(t[0], t[1], t[2], limit);
-  }
-  counts += counter.calls();
+  parallel_chunks(changed.size(), kChunk, threads, [&] {
+    return [&, counter = CircleCounter(surface.graph())](std::size_t begin, std::size_t end) mutable {
+      for (const FaceId f : changed.subspan(begin, end - begin)) {
+        const Triangle t = triangulation.corners(f);
+        orders[f.index()] = counter.count_in_circle(t[0], t[1], t[2], limit);
+      }
+    };
+  });
+  counts += changed.size();
   return orders;
 }
 

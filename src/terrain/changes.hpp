@@ -24,9 +24,9 @@ EdgeChanges edge_changes(const Surface& surface, const Triangulation& triangulat
                          std::span<const FaceId> changed);
 
 /// The order of every face: counted for the changed ones, 0 for the others. `counts` grows by the counts
-/// made.
+/// made. On all threads.
 std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulation& triangulation,
-                                        std::span<const FaceId> changed, unsigned limit,
+                                        std::span<const FaceId> changed, unsigned limit, unsigned threads,
                                         std::uint64_t& counts);
 
 /// The smallest angle of any triangle, in degrees. Rounded: for people, not for decisions.

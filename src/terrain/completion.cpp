@@ -55,7 +55,7 @@ Completion::Answer Completion::find(std::span<const RequiredEdge> edges, std::ui
 /// Makes triangulation_ the constrained Delaunay triangulation with these edges; false if one of them crosses
 /// a site.
 bool Completion::insert_all(std::span<const RequiredEdge> edges) {
-  triangulation_ = surface_->delaunay();
+  triangulation_ = Triangulation::revision_of(surface_->delaunay());
   EdgeInsertion insertion;
   for (const RequiredEdge& edge : edges) {
     if (triangulation_.joined(edge.u, edge.v)) continue;

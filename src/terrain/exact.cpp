@@ -18,9 +18,9 @@ bool same_pair(VertexId a, VertexId b, const RequiredEdge& e) noexcept {
   return (a == e.u && b == e.v) || (a == e.v && b == e.u);
 }
 
-class Search {
+class ExactSearch {
  public:
-  Search(const Surface& surface, const Plan& plan, Outcome best, unsigned k, const Watch& watch)
+  ExactSearch(const Surface& surface, const Plan& plan, Outcome best, unsigned k, const Watch& watch)
       : surface_(surface), plan_(plan), watch_(watch), best_(std::move(best)), completion_(surface, k) {}
 
   /// Returns whether the search came to its end, so that nothing better than `best()` exists.
@@ -157,7 +157,7 @@ class Search {
 ExactOutcome exact_pits(const Surface& surface, const Plan& plan, Outcome best, unsigned k,
                         const Watch& watch) {
   if (best.pits == plan.bound) return {std::move(best), plan.bound};
-  Search search(surface, plan, std::move(best), k, watch);
+  ExactSearch search(surface, plan, std::move(best), k, watch);
   const bool complete = search.run();
   ExactOutcome result{search.take_best(), plan.bound};
   if (complete) result.bound = result.outcome.pits;

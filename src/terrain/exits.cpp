@@ -15,8 +15,8 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
   return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
 
-/// Steps that finding the least orders may be expected to take in all: some tenths of a second.
-constexpr std::uint64_t kStepBudget = 20'000'000;
+/// Steps that finding the least orders may be expected to take in all: a tenth of a second.
+constexpr std::uint64_t kStepBudget = 5'000'000;
 
 /// What a walk of order k is expected to take: about 1200 steps at k = 8, 7800 at 16 and 55,000 at 32 were
 /// measured.

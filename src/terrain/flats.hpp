@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "kernel/huge_pages.hpp"
 #include "terrain/surface.hpp"
 
 namespace thalweg::detail {
@@ -13,8 +12,7 @@ namespace thalweg::detail {
 /// Floods flats of a changing triangulation of a surface. Holds scratch memory of 4 bytes a site.
 class FlatSearch {
  public:
-  explicit FlatSearch(const Surface& surface)
-      : surface_(&surface), stamp_(large_vector<std::uint32_t>(surface.sites().size())) {}
+  explicit FlatSearch(const Surface& surface) : surface_(&surface), stamp_(surface.sites().size(), 0u) {}
 
   /// Whether v lies on a pit of t; if so, `flat()` is that pit. Complexity: O(size of the flat), less if it
   /// drains.
@@ -38,7 +36,7 @@ class FlatSearch {
   bool flood(const Triangulation& t, VertexId v);
 
   const Surface* surface_;
-  std::vector<std::uint32_t> stamp_;  // epoch: seen; epoch + 1: seen, and it drains
+  Array<std::uint32_t> stamp_;  // epoch: seen; epoch + 1: seen, and it drains
   std::vector<VertexId> flat_;
   std::uint32_t epoch_ = 0;
   std::uint64_t visits_ = 0;

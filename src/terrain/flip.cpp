@@ -19,10 +19,11 @@ namespace thalweg::detail {
 namespace {
 
 /// A flip that may be done: half-edge a -> b with the apexes c, the lowest of the four, and d, as they were
-/// when it was found.
+/// when it was found, and the orders of the triangles d, c, a and c, d, b.
 struct Candidate {
   HalfedgeId halfedge;
   VertexId a, b, c, d;
+  unsigned order_at_a, order_at_b;
 };
 
 /// The Delaunay pits while flips remove and join them.
@@ -87,7 +88,9 @@ class FlipRun {
         rank_(surface.ranks()),
         ledger_(surface),
         buckets_(k + std::size_t{1}) {
+    // A copy: on rough ground flips touch nearly every stretch of a revision.
     outcome_.triangulation = surface.delaunay();
+    outcome_.face_orders.assign(outcome_.triangulation.face_count(), 0);
     for (unsigned i = 0; i < watch.threads; ++i) counters_.emplace_back(surface.graph());
   }
 
@@ -115,10 +118,10 @@ class FlipRun {
     if (!surface_.lower(c, a) || !surface_.lower(c, b)) return k_ + 1;
     const auto at = [&](VertexId v) { return surface_.sites()[v.index()]; };
     if (orient2d_sign(at(d), at(c), at(a)) <= 0 || orient2d_sign(at(d), at(c), at(b)) >= 0) return k_ + 1;
-    candidate = {edge, a, b, c, d};
-    const unsigned first = counter.count_in_circle(d, c, a, k_);
-    if (first > k_) return first;
-    return std::max({1u, first, counter.count_in_circle(c, d, b, k_)});
+    candidate = {edge, a, b, c, d, counter.count_in_circle(d, c, a, k_), 0};
+    if (candidate.order_at_a > k_) return candidate.order_at_a;
+    candidate.order_at_b = counter.count_in_circle(c, d, b, k_);
+    return std::max({1u, candidate.order_at_a, candidate.order_at_b});
   }
 
   void collect_all() {
@@ -194,6 +197,8 @@ class FlipRun {
     Triangulation& t = outcome_.triangulation;
     const HalfedgeId h = t.flip(candidate.halfedge);
     const HalfedgeId twin = t.twin(h);
+    outcome_.face_orders[Triangulation::face(h).index()] = candidate.order_at_a;
+    outcome_.face_orders[Triangulation::face(twin).index()] = candidate.order_at_b;
     ++outcome_.flips;
     const VertexId pit = ledger_.join(candidate.c, candidate.d);
     if (watch_.keep_trail) {

@@ -76,7 +76,7 @@ class Inserter {
 Outcome insert_hulls(const Surface& surface, std::span<const Exit> exits, unsigned k, const Watch& watch,
                      std::vector<std::uint32_t>* pits_at) {
   Outcome outcome;
-  outcome.triangulation = surface.delaunay();
+  outcome.triangulation = Triangulation::revision_of(surface.delaunay());
   outcome.pits = surface.pits().size();
   if (pits_at != nullptr) pits_at->clear();
   Inserter inserter(surface, watch, outcome);

@@ -2,10 +2,11 @@
 #include "terrain/merge.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
-#include "kernel/huge_pages.hpp"
+#include "kernel/parallel.hpp"
 #include "kernel/spatial_order.hpp"
 
 namespace thalweg::detail {
@@ -13,16 +14,31 @@ namespace {
 
 constexpr std::size_t kNamedRows = 10;
 
+/// Calls task(i) for every i below count, on all threads.
+template <class Task>
+void for_each_index(std::size_t count, unsigned threads, Task&& task) {
+  constexpr std::size_t kLeast = 1u << 16;
+  parallel_parts(count, parts_of(count, kLeast, threads),
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) task(i);
+                 });
+}
+
+bool is_finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 /// The first rows that hold a NaN or an infinity.
-Result<bool> require_finite(std::span<const Point3> points) {
+Result<bool> require_finite(std::span<const Point3> points, unsigned threads) {
+  std::atomic<bool> all_finite{true};
+  for_each_index(points.size(), threads, [&](std::size_t i) {
+    if (!is_finite(points[i])) all_finite.store(false, std::memory_order_relaxed);
+  });
+  if (all_finite) return true;
   Error error{ErrorCode::not_finite, "", {}};
   for (std::size_t i = 0; i < points.size() && error.rows.size() < kNamedRows; ++i) {
-    const Point3& p = points[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      error.rows.push_back(static_cast<std::uint32_t>(i));
-    }
+    if (!is_finite(points[i])) error.rows.push_back(static_cast<std::uint32_t>(i));
   }
-  if (error.rows.empty()) return true;
   error.message = "row " + std::to_string(error.rows[0]) + " holds a coordinate that is NaN or infinite";
   return error;
 }
@@ -92,20 +108,19 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
                  std::to_string(points.size()) + " points are more than 32-bit ids can number",
                  {}};
   }
-  if (auto finite = require_finite(points); !finite) return std::move(finite).error();
+  if (auto finite = require_finite(points, threads); !finite) return std::move(finite).error();
 
+  const auto place_of = [&](std::size_t row) { return Point2{points[row].x, points[row].y}; };
   MergedSites sites;
   {
-    std::vector<Point2> xy = large_vector<Point2>(points.size());
-    std::transform(points.begin(), points.end(), xy.begin(), [](const Point3& p) {
-      return Point2{p.x, p.y};
-    });
+    Array<Point2> xy(points.size());
+    for_each_index(points.size(), threads, [&](std::size_t i) { xy[i] = place_of(i); });
     SpatialOrder order = spatial_order(xy, threads);
     const std::uint32_t count = order.site_count();
     if (order.distinct()) {
       sites.row = std::move(order.rows);
-      sites.z = large_vector<double>(count);
-      for (std::uint32_t s = 0; s < count; ++s) sites.z[s] = points[sites.row[s]].z;
+      sites.z = Array<double>(count);
+      for_each_index(count, threads, [&](std::size_t s) { sites.z[s] = points[sites.row[s]].z; });
     } else {
       sites.row.reserve(count);
       sites.z.reserve(count);
@@ -120,10 +135,8 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
     }
     sites.keys = std::move(order.keys);
   }
-  sites.xy = large_vector<Point2>(sites.row.size());
-  std::transform(sites.row.begin(), sites.row.end(), sites.xy.begin(), [&](std::uint32_t row) {
-    return Point2{points[row].x, points[row].y};
-  });
+  sites.xy = Array<Point2>(sites.row.size());
+  for_each_index(sites.row.size(), threads, [&](std::size_t s) { sites.xy[s] = place_of(sites.row[s]); });
   return sites;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "thalweg/array.hpp"
 #include "thalweg/minimize.hpp"
 #include "thalweg/point.hpp"
 #include "thalweg/result.hpp"
@@ -14,10 +15,10 @@ namespace thalweg::detail {
 
 /// The sites in spatial order, and the way back to rows.
 struct MergedSites {
-  std::vector<Point2> xy;
-  std::vector<double> z;
-  std::vector<std::uint32_t> keys;                                ///< as spatial_order gives them
-  std::vector<std::uint32_t> row;                                 ///< the row that stands for each site
+  Array<Point2> xy;
+  Array<double> z;
+  Array<std::uint32_t> keys;                                      ///< as spatial_order gives them
+  Array<std::uint32_t> row;                                       ///< the row that stands for each site
   std::vector<std::pair<std::uint32_t, std::uint32_t>> merged;    ///< see Minimized::merged
   std::vector<std::pair<std::uint32_t, double>> mean_elevations;  ///< see Minimized::mean_elevations
 };

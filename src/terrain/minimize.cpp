@@ -84,7 +84,7 @@ Outcome run_method(const Surface& surface, std::span<const detail::Exit> exits, 
       break;
   }
   Outcome outcome;
-  outcome.triangulation = surface.delaunay();
+  outcome.triangulation = Triangulation::revision_of(surface.delaunay());
   outcome.pits = surface.pits().size();
   return outcome;
 }
@@ -107,8 +107,9 @@ std::vector<RemovedPit> removed_pits(const Surface& surface, const Pits& after) 
   return removed;
 }
 
-/// Everything that is reported about the result, with the vertex ids of the surface.
-void describe(const Surface& surface, const Outcome& outcome, std::span<const detail::Exit> exits, unsigned k,
+/// Everything that is reported about the result, with the vertex ids of the surface. Takes its face orders
+/// from the outcome.
+void describe(const Surface& surface, Outcome& outcome, std::span<const detail::Exit> exits, unsigned k,
               Method method, const Watch& watch, Minimized& result) {
   const Triangulation& t = outcome.triangulation;
   const Pits after = find_pits(t, surface.z());
@@ -124,7 +125,9 @@ void describe(const Surface& surface, const Outcome& outcome, std::span<const de
 
   const std::vector<FaceId> changed = detail::changed_faces(surface, t);
   result.circle_counts = outcome.circle_counts;
-  result.face_orders = detail::orders_after(surface, t, changed, k, result.circle_counts);
+  result.face_orders = outcome.face_orders.empty()
+                           ? detail::orders_after(surface, t, changed, k, watch.threads, result.circle_counts)
+                           : std::move(outcome.face_orders);
   const detail::EdgeChanges edges = detail::edge_changes(surface, t, changed);
   result.edges_changed = edges.changed;
   result.non_delaunay_edges = edges.non_delaunay;
@@ -172,6 +175,7 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
   MergedSites sites = *std::move(merged);
   auto delaunay = triangulate(sites, watch);
   if (!delaunay) return std::move(delaunay).error();
+  sites.keys = {};
 
   Minimized result;
   result.sites = static_cast<std::uint32_t>(sites.xy.size());
@@ -212,8 +216,9 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
 
   result.trail = std::move(outcome.trail);
   rename(sites.row, result);
-  result.triangulation =
-      std::move(outcome.triangulation).renamed(sites.row, static_cast<std::uint32_t>(points.size()));
+  result.triangulation = std::move(surface)
+                             .release(std::move(outcome.triangulation))
+                             .renamed(sites.row, static_cast<std::uint32_t>(points.size()), watch.threads);
   result.seconds_minimize = seconds_since(start);
   return result;
 }

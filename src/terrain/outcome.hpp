@@ -20,6 +20,7 @@ struct Outcome {
   std::uint64_t flips = 0;
   std::uint64_t insertions = 0;
   std::uint64_t circle_counts = 0;
+  std::vector<std::uint32_t> face_orders = {};  // of every face, if they were counted on the way; else empty
 };
 
 /// How a long computation is watched and stopped. A stage that finds `stopped()` true returns early; what it

@@ -4,21 +4,24 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/huge_pages.hpp"
-
 namespace thalweg::detail {
-Surface::Surface(std::vector<Point2> sites, std::vector<double> z, Triangulation delaunay)
+Surface::Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay)
     : sites_(std::move(sites)),
       z_(std::move(z)),
       delaunay_(std::move(delaunay)),
       graph_(sites_, delaunay_),
       pits_(find_pits(delaunay_, z_)),
-      pit_of_(large_vector<std::uint32_t>(sites_.size())),
+      pit_of_(sites_.size(), kNoPit),
       lowest_level_(*std::min_element(z_.begin(), z_.end())) {
-  std::fill(pit_of_.begin(), pit_of_.end(), kNoPit);
   for (std::uint32_t i = 0; i < pits_.size(); ++i) {
     for (const VertexId v : pits_[i]) pit_of_[v.index()] = i;
   }
+}
+
+Triangulation Surface::release(Triangulation edited) && {
+  if (!edited.is_revision()) return edited;
+  delaunay_.take(std::move(edited));
+  return std::move(delaunay_);
 }
 
 std::optional<Error> Surface::count_by_voronoi(unsigned k, unsigned threads) {

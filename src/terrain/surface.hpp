@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "thalweg/array.hpp"
 #include "thalweg/circle_count.hpp"
 #include "thalweg/order_k_voronoi.hpp"
 #include "thalweg/pits.hpp"
@@ -20,7 +21,7 @@ class Surface {
  public:
   /// Requires: sites distinct, `delaunay` their canonical Delaunay triangulation with the same ids, z of
   /// equal length.
-  Surface(std::vector<Point2> sites, std::vector<double> z, Triangulation delaunay);
+  Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay);
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
 
@@ -51,17 +52,21 @@ class Surface {
   static constexpr std::uint32_t kNoPit = 0xffffffffu;
   std::uint32_t pit_of(VertexId v) const noexcept { return pit_of_[v.index()]; }
 
+  /// The triangulation that was edited, with nothing of this surface in it any more: one that shares its
+  /// arrays with the Delaunay triangulation takes them over.
+  Triangulation release(Triangulation edited) &&;
+
   /// The first of `vertices` in elevation order. Requires: not empty.
   VertexId lowest(std::span<const VertexId> vertices) const noexcept;
 
  private:
-  std::vector<Point2> sites_;
-  std::vector<double> z_;
+  Array<Point2> sites_;
+  Array<double> z_;
   Triangulation delaunay_;
   DelaunayGraph graph_;
   std::optional<OrderKVoronoi> voronoi_;
   Pits pits_;
-  std::vector<std::uint32_t> pit_of_;
+  Array<std::uint32_t> pit_of_;
   double lowest_level_;
 };
 

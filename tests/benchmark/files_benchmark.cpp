@@ -1,8 +1,11 @@
-/// Reading and writing: rows of x y z, and binary PLY with the Delaunay triangles. The files lie in a folder
-/// of their own under that for temporary files, and are read from the system's cache.
+/// Reading and writing: points as rows of x y z and as .npy, meshes with the Delaunay triangles as .tlw,
+/// binary PLY and OBJ. Readers are asked for the points. The files lie in a folder of their own under that
+/// for temporary files, and are read from the system's cache.
 #include <stdlib.h>
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -76,8 +79,11 @@ class Mesh {
 
 /// Writes one file whole and returns its size.
 template <class Write>
-std::uint64_t write_file(const std::string& path, Write&& write) {
-  auto file = io::OutputFile::open(path, {.overwrite = true});
+std::uint64_t write_file(const std::string& path, unsigned threads, Write&& write) {
+  io::OutputOptions options;
+  options.overwrite = true;
+  options.threads = threads;
+  auto file = io::OutputFile::open(path, options);
   if (!file) throw std::runtime_error(file.error().message);
   auto error = write(*file);
   const std::uint64_t size = file->size();
@@ -86,35 +92,52 @@ std::uint64_t write_file(const std::string& path, Write&& write) {
   return size;
 }
 
-std::uint64_t write_xyz(const std::string& path, std::span<const Point3> points) {
-  return write_file(path,
-                    [&](io::OutputFile& file) { return io::write_points(file, points, io::Format::xyz); });
+/// Where a file of this format lies, and how to write it.
+struct FileKind {
+  const char* name;
+  io::Format format;
+  bool mesh;  ///< with the Delaunay triangles
+};
+
+constexpr FileKind kKinds[] = {{"xyz", io::Format::xyz, false},
+                               {"npy", io::Format::npy, false},
+                               {"tlw", io::Format::tlw, true},
+                               {"ply", io::Format::ply, true},
+                               {"obj", io::Format::obj, true}};
+
+std::string path_of(const SetOfSites& set, const FileKind& kind) {
+  return Folder::path_of(set, std::string(".") + kind.name);
 }
 
-std::uint64_t write_ply(const std::string& path, const Mesh& mesh) {
-  return write_file(path,
-                    [&](io::OutputFile& file) { return io::write_mesh(file, mesh.view(), io::Format::ply); });
-}
+/// What is written to a file of a kind.
+class Content {
+ public:
+  Content(const SetOfSites& set, const FileKind& kind) : path_(path_of(set, kind)), kind_(kind) {
+    if (kind.mesh) {
+      mesh_.emplace(set);
+    } else {
+      points_ = bench::terrain(set);
+    }
+  }
+
+  std::uint64_t write(unsigned threads) const {
+    return write_file(path_, threads, [&](io::OutputFile& file) {
+      return mesh_ ? io::write_mesh(file, mesh_->view(), kind_.format)
+                   : io::write_points(file, points_, kind_.format);
+    });
+  }
+
+ private:
+  std::string path_;
+  FileKind kind_;
+  std::optional<Mesh> mesh_;
+  std::span<const Point3> points_;
+};
 
 /// Counter: bytes of the file.
 void bytes_done(benchmark::State& state, std::uint64_t size) {
   state.counters["bytes"] = static_cast<double>(size);
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(size));
-}
-
-void add_writers(const SetOfSites& set) {
-  bench::add(bench::name_of("write_xyz", set), [=](benchmark::State& state) {
-    const auto points = bench::terrain(set);
-    std::uint64_t size = 0;
-    for (auto _ : state) size = write_xyz(Folder::path_of(set, ".xyz"), points);
-    bytes_done(state, size);
-  });
-  bench::add(bench::name_of("write_ply", set), [=](benchmark::State& state) {
-    const Mesh mesh(set);
-    std::uint64_t size = 0;
-    for (auto _ : state) size = write_ply(Folder::path_of(set, ".ply"), mesh);
-    bytes_done(state, size);
-  });
 }
 
 void read(benchmark::State& state, const std::string& path, std::uint64_t size, unsigned threads) {
@@ -128,14 +151,16 @@ void read(benchmark::State& state, const std::string& path, std::uint64_t size, 
   bytes_done(state, size);
 }
 
-void add_readers(const SetOfSites& set, unsigned threads) {
-  bench::add(bench::name_of("read_xyz", set, {.threads = threads}), [=](benchmark::State& state) {
-    const std::string path = Folder::path_of(set, ".xyz");
-    read(state, path, write_xyz(path, bench::terrain(set)), threads);
+void add(const SetOfSites& set, const FileKind& kind, unsigned threads) {
+  const std::string name = kind.name;
+  bench::add(bench::name_of("write_" + name, set, {.threads = threads}), [=](benchmark::State& state) {
+    const Content content(set, kind);
+    std::uint64_t size = 0;
+    for (auto _ : state) size = content.write(threads);
+    bytes_done(state, size);
   });
-  bench::add(bench::name_of("read_ply", set, {.threads = threads}), [=](benchmark::State& state) {
-    const std::string path = Folder::path_of(set, ".ply");
-    read(state, path, write_ply(path, Mesh(set)), threads);
+  bench::add(bench::name_of("read_" + name, set, {.threads = threads}), [=](benchmark::State& state) {
+    read(state, path_of(set, kind), Content(set, kind).write(threads), threads);
   });
 }
 
@@ -143,8 +168,9 @@ void add_readers(const SetOfSites& set, unsigned threads) {
 
 int main(int argc, char** argv) {
   for (const SetOfSites& set : bench::all_sets(1'000'000)) {
-    add_writers(set);
-    for (const unsigned threads : {1u, 2u}) add_readers(set, threads);
+    for (const FileKind& kind : kKinds) {
+      for (const unsigned threads : {1u, 2u}) add(set, kind, threads);
+    }
   }
   return bench::run(argc, argv);
 }

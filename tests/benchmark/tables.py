@@ -125,7 +125,7 @@ class Tables:
         m = self.load("e")
         print(f"### Files of {self.sites:,} points; PLY binary, with the Delaunay triangles\n")
         rows = []
-        for job in ("read_xyz", "read_ply", "write_xyz", "write_ply"):
+        for job in [how + kind for how in ("read_", "write_") for kind in ("xyz", "npy", "tlw", "ply", "obj")]:
             for sites in ("uniform", "lidar"):
                 own = f"{job}/{sites}/{self.sites}"
                 two = own + "/threads:2"

@@ -51,7 +51,7 @@ std::vector<Point2> sites_in_order(const std::vector<Point2>& points, const Spat
 RC_GTEST_PROP(SpatialOrder, HoldsEveryRowOnceAndEqualPointsTogether, ()) {
   const auto points = any_points(300);
   const SpatialOrder order = spatial_order(points, 1);
-  std::vector<std::uint32_t> rows = order.rows;
+  auto rows = order.rows;
   std::sort(rows.begin(), rows.end());
   for (std::uint32_t i = 0; i < rows.size(); ++i) RC_ASSERT(rows[i] == i);
   RC_ASSERT(rows.size() == points.size());

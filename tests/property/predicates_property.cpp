@@ -197,7 +197,7 @@ std::string printed(const Tuple& tuple) {
   return text;
 }
 
-enum Stage { kFilter, kGrid, kWords, kExact };
+enum Stage { kFilter, kGrid, kProducts, kWords, kExact, kStages };
 
 /// Without wide integers the stage of words never answers; the others must still be right.
 #if defined(THALWEG_HAS_INT128)
@@ -209,10 +209,10 @@ constexpr std::uint64_t kFewest = 1000;
 
 /// Runs the same number of cases of every kind. check(tuple) answers the stage that decided.
 template <class Check>
-std::array<std::uint64_t, 4> run_cases(Check check) {
+std::array<std::uint64_t, kStages> run_cases(Check check) {
   const std::uint64_t cases = from_environment("THALWEG_PREDICATE_CASES", 1000000) / 3;
   Random random(from_environment("THALWEG_PREDICATE_SEED", 1997));
-  std::array<std::uint64_t, 4> decided = {};
+  std::array<std::uint64_t, kStages> decided = {};
   for (std::uint64_t i = 0; i < cases; ++i) {
     const Tuple tuple = kKinds[i % kKinds.size()](random);
     ++decided[check(tuple)];
@@ -222,19 +222,22 @@ std::array<std::uint64_t, 4> run_cases(Check check) {
     }
   }
   std::printf(
-      "decided by filter %llu, grid %llu, words %llu, exact %llu\n",
+      "decided by filter %llu, grid %llu, products %llu, words %llu, exact %llu\n",
       static_cast<unsigned long long>(decided[kFilter]), static_cast<unsigned long long>(decided[kGrid]),
-      static_cast<unsigned long long>(decided[kWords]), static_cast<unsigned long long>(decided[kExact]));
+      static_cast<unsigned long long>(decided[kProducts]), static_cast<unsigned long long>(decided[kWords]),
+      static_cast<unsigned long long>(decided[kExact]));
   return decided;
 }
 
 /// Every stage that answers must answer the truth.
-Stage expect_stages(int truth, MaybeSign filter, MaybeSign grid, MaybeSign words, int exact) {
+Stage expect_stages(int truth, MaybeSign filter, MaybeSign grid, MaybeSign products, MaybeSign words,
+                    int exact) {
   EXPECT_EQ(filter.value_or(truth), truth) << "filter";
   EXPECT_EQ(grid.value_or(truth), truth) << "grid";
+  EXPECT_EQ(products.value_or(truth), truth) << "products";
   EXPECT_EQ(words.value_or(truth), truth) << "words";
   EXPECT_EQ(exact, truth) << "exact";
-  return filter ? kFilter : grid ? kGrid : words ? kWords : kExact;
+  return filter ? kFilter : grid ? kGrid : products ? kProducts : words ? kWords : kExact;
 }
 
 TEST(PredicatesAgainstOracle, Orient2d) {
@@ -242,7 +245,7 @@ TEST(PredicatesAgainstOracle, Orient2d) {
     const auto [a, b, c, d] = t;
     const int truth = oracle::orient2d(a, b, c);
     EXPECT_EQ(thalweg::orient2d(a, b, c), truth);
-    return expect_stages(truth, thalweg::detail::orient2d_filter(a, b, c), std::nullopt,
+    return expect_stages(truth, thalweg::detail::orient2d_filter(a, b, c), std::nullopt, std::nullopt,
                          thalweg::detail::orient2d_words(a, b, c), thalweg::detail::orient2d_exact(a, b, c));
   });
   for (const Stage stage : {kFilter, kExact}) EXPECT_GT(decided[stage], kFewest) << stage;
@@ -256,9 +259,10 @@ TEST(PredicatesAgainstOracle, Incircle) {
     EXPECT_EQ(thalweg::incircle(a, b, c, d), truth);
     return expect_stages(
         truth, thalweg::detail::incircle_filter(a, b, c, d), thalweg::detail::incircle_grid(a, b, c, d),
-        thalweg::detail::incircle_words(a, b, c, d), thalweg::detail::incircle_exact(a, b, c, d));
+        thalweg::detail::incircle_products(a, b, c, d), thalweg::detail::incircle_words(a, b, c, d),
+        thalweg::detail::incircle_exact(a, b, c, d));
   });
-  for (const Stage stage : {kFilter, kGrid, kExact}) EXPECT_GT(decided[stage], kFewest) << stage;
+  for (const Stage stage : {kFilter, kGrid, kProducts, kExact}) EXPECT_GT(decided[stage], kFewest) << stage;
   EXPECT_GE(decided[kWords], kFewestByWords);
 }
 
@@ -267,7 +271,7 @@ TEST(PredicatesAgainstOracle, CompareDistance) {
     const auto [a, b, c, d] = t;
     const int truth = oracle::compare_distance(a, b, c);
     EXPECT_EQ(thalweg::compare_distance(a, b, c), truth);
-    return expect_stages(truth, thalweg::detail::compare_distance_filter(a, b, c), std::nullopt,
+    return expect_stages(truth, thalweg::detail::compare_distance_filter(a, b, c), std::nullopt, std::nullopt,
                          thalweg::detail::compare_distance_words(a, b, c),
                          thalweg::detail::compare_distance_exact(a, b, c));
   });

@@ -13,8 +13,8 @@ namespace support {
 
 /// The surface over the points, vertex ids their indices. Requires: distinct places, not all collinear.
 inline thalweg::detail::Surface surface_of(std::span<const thalweg::Point3> points) {
-  std::vector<thalweg::Point2> places;
-  std::vector<double> z;
+  thalweg::detail::Array<thalweg::Point2> places;
+  thalweg::detail::Array<double> z;
   for (const thalweg::Point3& p : points) {
     places.push_back({p.x, p.y});
     z.push_back(p.z);

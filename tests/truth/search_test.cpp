@@ -15,6 +15,7 @@
 
 #include "support/point_sets.hpp"
 #include "support/prepared.hpp"
+#include "support/surface.hpp"
 #include "terrain/completion.hpp"
 #include "terrain/exact.hpp"
 #include "truth/drawn_set.hpp"
@@ -25,16 +26,13 @@ using oracle::EdgeSet;
 using oracle::Enumeration;
 using oracle::Pair;
 using support::DrawnSet;
+using support::surface_of;
 using thalweg::detail::Completion;
 using thalweg::detail::Outcome;
 using thalweg::detail::Plan;
 using thalweg::detail::RequiredEdge;
 using thalweg::detail::Surface;
 using thalweg::detail::Watch;
-
-Surface surface_of(const support::Cloud& cloud) {
-  return Surface(cloud.places(), cloud.elevations(), thalweg::delaunay(cloud.places()).value());
-}
 
 /// The order of a triangulation that has all these edges; nothing if it is none or lacks one.
 std::optional<unsigned> order_with(const Enumeration& all, const thalweg::Triangulation& t,
@@ -78,7 +76,7 @@ TEST(Completion, KnowsWhichEdgesExtend) {
   for (std::uint64_t i = 0; i < sets; ++i) {
     const DrawnSet set = support::draw_set(seed, i);
     const Enumeration& all = *set.enumeration;
-    const Surface surface = surface_of(set.cloud);
+    const Surface surface = surface_of(set.cloud.points);
     std::vector<EdgeSet> useful;
     for (unsigned k = 0; k <= all.most_order(); ++k) useful.push_back(all.useful(k));
     EdgeSet always = useful[0];
@@ -166,7 +164,7 @@ TEST(Completion, TakesBackTrianglesThatLeadNowhere) {
   for (const Extensible& c : cases) {
     const support::Cloud cloud{c.points};
     SCOPED_TRACE(support::printed(cloud));
-    const Surface surface = surface_of(cloud);
+    const Surface surface = surface_of(cloud.points);
     std::vector<RequiredEdge> required;
     for (const auto& [u, v] : c.edges) required.push_back({support::vertex(u), support::vertex(v)});
     Completion completion(surface, c.order);
@@ -189,7 +187,7 @@ TEST(ExactSearch, FindsTheOptimumFromDelaunay) {
     const Enumeration& all = *set.enumeration;
     const oracle::Relief relief(set.cloud.elevations());
     const auto fewest = all.fewest_pits(relief);
-    const Surface surface = surface_of(set.cloud);
+    const Surface surface = surface_of(set.cloud.points);
     for (unsigned k = 0; k <= all.most_order(); ++k) {
       SCOPED_TRACE(support::printed(set.cloud) + " order " + std::to_string(k));
       const auto exits = thalweg::detail::find_exits(surface, k, 1, nullptr);

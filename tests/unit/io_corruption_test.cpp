@@ -120,6 +120,10 @@ std::string small_mesh(Format format) {
   return test::content_of(folder / "m");
 }
 
+TEST(Corruption, OfArrays) {
+  damage_and_read("t.npy", small_mesh(Format::npy));
+}
+
 TEST(Corruption, OfTables) {
   damage_and_read("p.xyz", "# a comment\n1 2 3\n4.5 -6 7e2\n0.1 0.2 0.3\n1e-300 2 -0\n");
   damage_and_read("p.csv", "id,x,y,z\na,1,2,3\n\"b,c\",4.5,-6,\"7e2\"\nd,0.1,0.2,0.3\n");
@@ -140,6 +144,26 @@ TEST(Corruption, OfMeshes) {
   std::string big = small_mesh(Format::ply);  // nonsense as content, but a walk through the other byte order
   big.replace(big.find("little"), 6, "big");
   damage_and_read("b.ply", big);
+  damage_and_read("m.tlw", small_mesh(Format::tlw));
+}
+
+// Binary files have few bytes that do not matter, so all of them can be tried.
+TEST(Corruption, OfEveryByteAndEveryLengthOfBinaryFiles) {
+  const test::ScratchFolder folder;
+  for (const auto& [name, format] : {std::pair("m.tlw", Format::tlw), std::pair("t.npy", Format::npy)}) {
+    const std::string good = small_mesh(format);
+    for (std::size_t at = 0; at < good.size() && !testing::Test::HasFailure(); ++at) {
+      read_every_way(folder.put(name, good.substr(0, at)));
+      EXPECT_FALSE(read_points(folder / name)) << at;
+      for (const int flip : {1, 0x80, 0xff}) {
+        std::string changed = good;
+        changed[at] = static_cast<char>(changed[at] ^ flip);
+        test::reset_largest_allocation();
+        read_every_way(folder.put(name, changed));
+        EXPECT_LT(test::largest_allocation(), 300000u) << at;
+      }
+    }
+  }
 }
 
 }  // namespace

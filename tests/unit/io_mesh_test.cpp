@@ -121,7 +121,7 @@ TEST(ReadMesh, FilesOfPointsAreNoMesh) {
   const test::ScratchFolder folder;
   const std::string path = folder.put("p.csv", "x,y,z\n1,2,3\n");
   EXPECT_EQ(message_of(read_mesh(path), path),
-            "p.csv: has points but no triangles: give a mesh (obj, ply, 2dm)");
+            "p.csv: has points but no triangles: give a mesh (obj, ply, 2dm, tlw)");
 }
 
 }  // namespace

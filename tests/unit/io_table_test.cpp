@@ -266,6 +266,27 @@ TEST_F(ReadXyz, ThreadsChangeNothing) {
   for (const unsigned threads : {2u, 3u, 8u}) EXPECT_EQ(fault(faulty, {.threads = threads}), message);
 }
 
+// A text is read in blocks of half a megabyte and more; where they end must not show.
+TEST_F(ReadXyz, BlocksDoNotShow) {
+  std::string content =
+      "# " + std::string(700000, 'c') + "\n";  // an opening longer than what is loaded first
+  for (int i = 0; i < 100000; ++i) content += std::to_string(i) + ".25 2 " + std::to_string(i % 100) + "\r\n";
+  content.insert(content.find('\r', content.size() / 2),
+                 " " + std::string(1200000, 'w'));  // a line of several blocks
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    const std::vector<Point3> all = points(content + "1 2 3", {.threads = threads});
+    ASSERT_EQ(all.size(), 100001u);
+    for (int i = 0; i < 100000; ++i)
+      ASSERT_EQ(all[static_cast<std::size_t>(i)], (Point3{i + 0.25, 2, i % 100 * 1.0}));
+    EXPECT_EQ(all.back(), (Point3{1, 2, 3}));
+    expect_fault(content + "1 2 x\n" + content, "p.xyz:100002: column 3 (z) \"x\"", {.threads = threads});
+    expect_fault("1 2 x\n" + content + std::string("1 2 3\0\n", 7), "p.xyz:100003: NUL byte",
+                 {.threads = threads});
+    expect_fault("x y\n" + content + std::string("1 2 3\0\n", 7), "p.xyz:100003: NUL byte",
+                 {.threads = threads});
+  }
+}
+
 // Quotes lead a row away from the fast path, and must not change what it means.
 TEST_F(ReadXyz, FastAndCarefulParsingAgree) {
   const std::string_view words[] = {"1", "-2.5", "+3",  "1e5",   ".5",     "7.", "",
@@ -310,7 +331,7 @@ TEST(Format, ComesFromTheNameElseFromTheSuffix) {
   EXPECT_EQ(format_of("x.foo", "", Direction::write).error().message,
             "x.foo: \".foo\" is no suffix of a format that can be written: say the format with --to (xyz, "
             "csv, tsv, obj, "
-            "ply, ply-ascii, 2dm, geojson)");
+            "ply, ply-ascii, 2dm, tlw, npy, geojson)");
 }
 
 }  // namespace

@@ -280,6 +280,24 @@ TEST(PredicateStages, GridDecidesSmallLattices) {
   EXPECT_EQ(thalweg::detail::incircle_grid({0, 0}, {1, 0}, {1, 1}, {0, up(1)}), std::nullopt);
 }
 
+// Three neighbours on a parabola and a site far away: the square of the longest distance says nothing about
+// the rounding errors of the others.
+TEST(PredicateStages, ProductsDecideLongTriangles) {
+  const auto at = [](double x) { return Point2{x, x * x}; };
+  const Point2 a = at(-0.75), b = at(0.25), c = at(0.25 + 0x1p-20), d = at(0.25 + 0x1p-19);
+  EXPECT_EQ(thalweg::detail::incircle_filter(a, b, c, d), std::nullopt);
+  EXPECT_EQ(thalweg::detail::incircle_grid(a, b, c, d), std::nullopt);
+  EXPECT_EQ(thalweg::detail::incircle_products(a, b, c, d), MaybeSign(thalweg::incircle(a, b, c, d)));
+}
+
+TEST(PredicateStages, ProductsAnswerNothingBeyondTheirRange) {
+  for (const double size : {0x1p36, 1e100, 1e300}) {
+    EXPECT_EQ(thalweg::detail::incircle_products({0, 0}, {size, 0}, {0, size}, {size / 2, size / 2}),
+              std::nullopt)
+        << size;
+  }
+}
+
 // Four lattice points of a circle about the origin, stretched: where the products pass 53 bits, the doubles
 // give a determinant that is not 0, and the lattice stage must have stopped answering.
 TEST(PredicateStages, GridStopsBeforeTheFirstRounding) {
