@@ -3,6 +3,7 @@
 
 #include "thalweg/circle_count.hpp"
 #include "thalweg/delaunay.hpp"
+#include "thalweg/drainage.hpp"
 #include "thalweg/export.hpp"
 #include "thalweg/hard_instances.hpp"
 #include "thalweg/id.hpp"

@@ -24,8 +24,9 @@ std::vector<Command> declare(CLI::App& root) {
   root.footer(kFooter);
   root.require_subcommand(1);
   root.set_version_flag("--version", version());
-  std::vector<Command> commands = {add_build(root),  add_check(root),    add_edges(root), add_sweep(root),
-                                   add_sample(root), add_generate(root), add_info(root),  add_voronoi(root)};
+  std::vector<Command> commands = {add_build(root), add_check(root),   add_edges(root),
+                                   add_sweep(root), add_sample(root),  add_generate(root),
+                                   add_info(root),  add_voronoi(root), add_report(root)};
   for (const Command& command : commands) command.app->set_version_flag("--version", version());
   return commands;
 }

@@ -1,5 +1,7 @@
 /// `thalweg build`: points in, a terrain without false pits out.
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +14,8 @@
 #include "cli/names.hpp"
 #include "cli/outputs.hpp"
 #include "cli/points_input.hpp"
+#include "cli/report_model.hpp"
+#include "cli/report_outputs.hpp"
 #include "cli/resources.hpp"
 #include "cli/summary.hpp"
 #include "io/write_mesh.hpp"
@@ -22,7 +26,8 @@ namespace {
 
 constexpr std::array kMeshFormats = {io::Format::ply,    io::Format::ply_ascii, io::Format::obj,
                                      io::Format::two_dm, io::Format::tlw,       io::Format::npy,
-                                     io::Format::csv,    io::Format::tsv,       io::Format::xyz};
+                                     io::Format::csv,    io::Format::tsv,       io::Format::xyz,
+                                     io::Format::svg,    io::Format::html};
 constexpr std::array kPitFormats = {io::Format::geojson, io::Format::csv, io::Format::tsv};
 
 constexpr const char* kFooter =
@@ -33,11 +38,13 @@ constexpr const char* kFooter =
     "the input rows, rows merged into others left out; `vertex` in --json and --pits counts them from 0.\n"
     "The suffix of an output chooses its format: .ply, .obj, .2dm, .tlw (meshes), .csv, .tsv, .xyz "
     "(vertices\n"
-    "alone), .npy (triangles alone: an array (m, 3) of the numbers of their corners, from 0).\n"
+    "alone), .npy (triangles alone: an array (m, 3) of the numbers of their corners, from 0); .html and .svg "
+    "as --report.\n"
     "\n"
     "Examples:\n"
     "  thalweg build points.xyz -o terrain.ply\n"
     "  thalweg build dem.asc -k 6 -o terrain.2dm -o terrain.obj --pits pits.geojson --json report.json\n"
+    "  thalweg build points.xyz -o terrain.ply --report report.html --sweep\n"
     "  thalweg build points.csv --columns easting,northing,height -o - --to ply > terrain.ply\n"
     "  thalweg build points.xyz                         only the report, nothing written";
 
@@ -51,6 +58,8 @@ struct BuildOptions {
   DuplicatePolicy duplicates = DuplicatePolicy::lowest;
   std::string pits;
   bool fail_on_pits = false;
+  std::string report;
+  ReportOptions report_options;
   std::optional<std::uint64_t> max_memory;
   InputOptions input;
   RunOptions run;
@@ -60,7 +69,26 @@ struct BuildOptions {
 struct BuildTargets {
   std::vector<FormattedPath> meshes;
   std::vector<FormattedPath> pits;  // none or one
+  std::vector<FormattedPath> reports;
 };
+
+/// What --report names, and what of -o is no mesh but a report or a map: taken out of `meshes`.
+Result<std::vector<FormattedPath>> choose_reports(const BuildOptions& options,
+                                                  std::vector<FormattedPath>& meshes) {
+  OutputPaths named;
+  if (!options.report.empty()) named.paths.push_back(options.report);
+  Result<std::vector<FormattedPath>> reports = choose_formats(named, kReportFormats, "a report");
+  if (!reports) return reports;
+  const auto is_report = [](const FormattedPath& target) {
+    return std::ranges::find(kReportFormats, target.format) != kReportFormats.end();
+  };
+  std::ranges::copy_if(meshes, std::back_inserter(*reports), is_report);
+  std::erase_if(meshes, is_report);
+  if (options.report_options.sweep && reports->empty()) {
+    return Error{ErrorCode::invalid_argument, "--sweep is shown in a report: name one with --report"};
+  }
+  return reports;
+}
 
 Result<BuildTargets> check_targets(const BuildOptions& options) {
   Result<std::vector<FormattedPath>> meshes = choose_formats(options.outputs, kMeshFormats, "a mesh");
@@ -71,8 +99,11 @@ Result<BuildTargets> check_targets(const BuildOptions& options) {
   if (!pit_files) return pit_files.error();
   std::vector<NamedPath> named = named_outputs(options.outputs, options.run);
   if (!options.pits.empty()) named.push_back({"--pits", options.pits});
+  Result<std::vector<FormattedPath>> reports = choose_reports(options, *meshes);
+  if (!reports) return reports.error();
+  if (!options.report.empty()) named.push_back({"--report", options.report});
   if (auto error = check_outputs(named, std::span(&options.points, 1), options.run.overwrite)) return *error;
-  return BuildTargets{std::move(*meshes), std::move(*pit_files)};
+  return BuildTargets{std::move(*meshes), std::move(*pit_files), std::move(*reports)};
 }
 
 /// Tells the memory that is needed, and refuses what --max-memory forbids.
@@ -152,12 +183,26 @@ std::optional<Error> add_data(OutputBatch& batch, const BuildTargets& targets, c
   return std::nullopt;
 }
 
+/// The report in all the formats it is wanted in.
+std::optional<Error> add_report_data(OutputBatch& batch, const BuildOptions& options,
+                                     const BuildTargets& targets, const io::PointTable& table,
+                                     const BuildReport& build, std::vector<SweepRow> sweep) {
+  if (targets.reports.empty()) return std::nullopt;
+  const ReportSource source{options.points, table.crs, std::string(name_of(options.method)), options.order,
+                            build.threads};
+  io::Report report = report_of_build(source, table.points, *build.vertices, *build.result);
+  report.sweep = std::move(sweep);
+  return add_reports(batch, targets.reports, report, options.report_options);
+}
+
 /// All outputs, the summary last, because it tells how long the others took.
 std::optional<Error> write_outputs(const BuildOptions& options, const BuildTargets& targets,
-                                   const io::PointTable& table, BuildReport& report, Stopwatch& watch) {
+                                   const io::PointTable& table, std::vector<SweepRow> sweep,
+                                   BuildReport& report, Stopwatch& watch) {
   const WritingOutputs guard;
   OutputBatch batch(options.run.output());
   if (auto error = add_data(batch, targets, table, *report.vertices, *report.result)) return error;
+  if (auto error = add_report_data(batch, options, targets, table, report, std::move(sweep))) return error;
   report.seconds_write = watch.lap();
   report.seconds_total = watch.total();
   if (!options.run.json.empty()) {
@@ -171,6 +216,7 @@ ExitCode finish(const BuildOptions& options, const BuildReport& report, const Bu
   describe(report, console);
   for (const FormattedPath& target : targets.meshes) console.detail("  wrote      " + target.path);
   for (const FormattedPath& target : targets.pits) console.detail("  wrote      " + target.path);
+  for (const FormattedPath& target : targets.reports) console.detail("  wrote      " + target.path);
   if (!options.fail_on_pits || report.result->pits.interior == 0) return ExitCode::done;
   return console.fail(
       ExitCode::verification,
@@ -199,12 +245,16 @@ ExitCode run_build(const BuildOptions& options, Console& console) {
   const Result<Minimized> result = minimize_pits(table->points, minimize_options(options, console));
   if (!result) return console.fail(blame(options.points, result.error()));
   warn_of_duplicates(console, options.points, result->merged.size(), options.duplicates);
+  Result<std::vector<SweepRow>> sweep =
+      sweep_for_report(options.report_options, table->points, minimize_options(options, console));
+  if (!sweep) return console.fail(blame(options.points, sweep.error()));
   watch.lap();
   console.progress("writing", 0);
   const VertexMap vertices = map_vertices(table->points, *result);
   report.result = &*result;
   report.vertices = &vertices;
-  if (auto error = write_outputs(options, *targets, *table, report, watch)) return console.fail(*error);
+  if (auto error = write_outputs(options, *targets, *table, *std::move(sweep), report, watch))
+    return console.fail(*error);
   return finish(options, report, *targets, console);
 }
 
@@ -240,6 +290,9 @@ Command add_build(CLI::App& thalweg) {
       "a number of seconds, 0 or more", [](const std::string& s) { return parse_seconds(s); },
       [options](double seconds) { options->time_limit = seconds; });
   add_pit_options(*app, options->pits, options->fail_on_pits);
+  app->add_option("--report", options->report, "Write a page (.html) to look at, or a map (.svg)")
+      ->option_text("FILE");
+  add_report_options(*app, options->report_options);
   add_duplicates(*app, options->duplicates);
   add_parsed<std::uint64_t>(
       *app, "--max-memory", "SIZE", "Refuse, with exit code 5, points that need more memory than, say, 8G",

@@ -9,6 +9,7 @@
 #include "cli/common_options.hpp"
 #include "cli/compare_points.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/mesh_measures.hpp"
 #include "cli/outputs.hpp"
 #include "cli/points_input.hpp"
 #include "cli/resources.hpp"
@@ -17,7 +18,6 @@
 #include "thalweg/circle_count.hpp"
 #include "thalweg/delaunay.hpp"
 #include "thalweg/pits.hpp"
-#include "thalweg/predicates.hpp"
 #include "thalweg/validate.hpp"
 
 namespace thalweg::cli {
@@ -60,26 +60,6 @@ struct Findings {
   std::optional<PointDifferences> differences;
   std::vector<std::string> failures;  ///< why the exit code is 4, if it is
 };
-
-std::uint64_t count_non_delaunay(const Triangulation& mesh, std::span<const Point2> sites) {
-  std::uint64_t count = 0;
-  const auto at = [&](VertexId v) { return sites[v.index()]; };
-  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
-    const HalfedgeId h(i);
-    const HalfedgeId twin = mesh.twin(h);
-    if (!twin.valid() || twin < h) continue;
-    const int side = incircle(at(mesh.origin(h)), at(mesh.dest(h)), at(mesh.apex(h)), at(mesh.apex(twin)));
-    if (side > 0) ++count;
-  }
-  return count;
-}
-
-std::vector<Point2> places_of(std::span<const Point3> points) {
-  std::vector<Point2> places;
-  places.reserve(points.size());
-  for (const Point3& p : points) places.push_back({p.x, p.y});
-  return places;
-}
 
 /// Requires: no faults; `sites` are the places of the file's points.
 Result<Soundness> measure(const io::MeshFile& file, std::span<const Point2> sites, unsigned threads) {

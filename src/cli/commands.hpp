@@ -17,6 +17,7 @@ struct Command {
 Command add_build(CLI::App& thalweg);
 Command add_check(CLI::App& thalweg);
 Command add_edges(CLI::App& thalweg);
+Command add_report(CLI::App& thalweg);
 Command add_sweep(CLI::App& thalweg);
 Command add_sample(CLI::App& thalweg);
 Command add_generate(CLI::App& thalweg);

@@ -31,7 +31,9 @@ constexpr std::array kNames = {
     FormatName{"pts", Format::xyz, true, true},
     FormatName{"grd", Format::asc, true, true},
     FormatName{"json", Format::geojson, true, false},
-    FormatName{"svg", Format::svg, true, false},  // of one command alone
+    FormatName{"svg", Format::svg, true, false},  // of some commands alone
+    FormatName{"html", Format::html, true, false},
+    FormatName{"htm", Format::html, true, false},
 };
 
 bool allowed(const FormatName& entry, Direction direction) {

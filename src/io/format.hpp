@@ -9,12 +9,12 @@
 
 namespace thalweg::io {
 
-enum class Format { xyz, csv, tsv, asc, obj, ply, ply_ascii, two_dm, tlw, npy, geojson, svg };
+enum class Format { xyz, csv, tsv, asc, obj, ply, ply_ascii, two_dm, tlw, npy, geojson, svg, html };
 
 enum class Direction { read, write };
 
 /// The name by which --from and --to know the format: xyz, csv, tsv, asc, obj, ply, ply-ascii, 2dm, tlw, npy,
-/// geojson, svg.
+/// geojson, svg, html.
 std::string_view name_of(Format format) noexcept;
 
 /// The format called `forced`, or if that is empty the one of the suffix of `path` (any case; .txt, .dat and
