@@ -106,10 +106,10 @@ Triangulation without_ghosts(GhostedTriangulation mesh, unsigned threads) {
   fill_holes(mesh, ghosts, face_count);
   const std::size_t parts = parts_of(face_count, kRowChunk, threads);
   Array<std::uint32_t> origin = packed(mesh.origin, face_count, parts, [](std::uint32_t v) { return v; });
-  mesh.origin = {};
+  mesh.origin = Array<std::uint32_t>();  // braces would empty it and keep the memory
   Array<std::uint32_t> twin =
       packed(mesh.twin, face_count, parts, [](std::uint32_t h) { return h == kNone ? kNone : h - h / 4; });
-  mesh.twin = {};
+  mesh.twin = Array<std::uint32_t>();
   Array<std::uint32_t> outgoing = outgoing_of(origin, twin, site_count, parts);
   return linked(std::move(origin), std::move(twin), std::move(outgoing));
 }
@@ -197,12 +197,12 @@ Result<Triangulation> delaunay(std::span<const Point2> points, const DelaunayOpt
   if (!order.distinct()) {
     for (std::uint32_t s = 0; s < order.site_count(); ++s) order.rows[s] = order.rows[order.starts[s]];
     order.rows.resize(order.site_count());
-    order.starts = {};
+    order.starts = std::vector<std::uint32_t>();
   }
   Result<detail::GhostedTriangulation> mesh =
       detail::triangulate(detail::gathered(points, order.rows, threads), order.keys, threads);
   if (!mesh) return std::move(mesh).error();
-  order.keys = {};
+  order.keys = detail::Array<std::uint32_t>();
   return detail::without_ghosts(*std::move(mesh), threads)
       .renamed(order.rows, static_cast<std::uint32_t>(points.size()), threads);
 }

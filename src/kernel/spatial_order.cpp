@@ -243,7 +243,7 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
       order.keys[i] = key_of(keyed[i]);
     }
   });
-  keyed = {};
+  keyed = Array<KeyedRow>();
   if (order_cells(order.rows, order.keys, points, parts)) part_sites(order, points);
   return order;
 }

@@ -175,7 +175,7 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
   MergedSites sites = *std::move(merged);
   auto delaunay = triangulate(sites, watch);
   if (!delaunay) return std::move(delaunay).error();
-  sites.keys = {};
+  sites.keys = detail::Array<std::uint32_t>();
 
   Minimized result;
   result.sites = static_cast<std::uint32_t>(sites.xy.size());
