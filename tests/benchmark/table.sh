@@ -67,7 +67,7 @@ run_c() {
   done >"$results/c_memory.txt"
 }
 run_d() { measure d terrain "^(flip|hull|best)/uniform/($few|$sites)/k:[0-9]+$"; }
-run_e() { measure e files "^(read|write)_(xyz|ply)/(uniform|lidar)/$sites(/threads:2)?$"; }
+run_e() { measure e files "^(read|write)_(xyz|npy|tlw|ply)/(uniform|lidar)/$sites(/threads:2)?$"; }
 run_f() { measure f predicates .; }
 
 if [[ -z ${PRINT_ONLY:-} ]]; then
