@@ -110,7 +110,7 @@ class ExactAxis {
     const folded = this.residual(vertex);
     const residual = folded % 2n === 1n ? -(folded + 1n) / 2n : folded / 2n;
     if (steps > 0) return (Math.floor(near * steps + 0.5) + Number(residual)) / steps;
-    return fromRank(toRank(near) + residual);
+    return fromRank(BigInt.asUintN(64, toRank(near) + residual));
   }
 
   residual(vertex) {
@@ -133,6 +133,6 @@ function toRank(value) {
 }
 
 function fromRank(rank) {
-  kWord.setBigUint64(0, BigInt.asUintN(64, rank >= kSignBit ? rank - kSignBit : ~rank));
+  kWord.setBigUint64(0, rank >= kSignBit ? rank - kSignBit : BigInt.asUintN(64, ~rank));
   return kWord.getFloat64(0);
 }
