@@ -41,7 +41,7 @@ std::uint64_t estimate_build_memory(std::uint64_t points, Method method, bool re
   constexpr std::uint64_t kInput = 24;  // a point: three doubles
   constexpr std::uint64_t kBest = 170;  // and delaunay, hull, exact
   constexpr std::uint64_t kFlip = 308;
-  constexpr std::uint64_t kReport = 999;  // after the method, whose own memory is free again
+  constexpr std::uint64_t kReport = 440;  // after the method, whose own memory is free again
   const std::uint64_t build = method == Method::flip ? kFlip : kBest;
   return kFixed + points * (kInput + (report ? std::max(build, kReport) : build));
 }
