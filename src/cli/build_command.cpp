@@ -107,8 +107,9 @@ Result<BuildTargets> check_targets(const BuildOptions& options) {
 }
 
 /// Tells the memory that is needed, and refuses what --max-memory forbids.
-std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t points, Console& console) {
-  const std::uint64_t needed = estimate_build_memory(points, options.method);
+std::optional<ExitCode> check_memory(const BuildOptions& options, bool report, std::uint64_t points,
+                                     Console& console) {
+  const std::uint64_t needed = estimate_build_memory(points, options.method, report);
   const std::uint64_t machine = machine_memory_bytes();
   console.detail(options.points + ": " + counted(points, "point", "points") + ", about " +
                  format_bytes(needed) + " of memory needed");
@@ -116,7 +117,7 @@ std::optional<ExitCode> check_memory(const BuildOptions& options, std::uint64_t 
     console.warn("about " + format_bytes(needed) + " of memory is needed and this machine has " +
                  format_bytes(machine) + ": cut the points into tiles if it does not suffice");
   }
-  const auto refusal = over_limit(points, options.method, options.max_memory);
+  const auto refusal = over_limit(points, options.method, report, options.max_memory);
   if (!refusal) return std::nullopt;
   return console.fail(ExitCode::resources, options.points + ": " + *refusal);
 }
@@ -240,7 +241,8 @@ ExitCode run_build(const BuildOptions& options, Console& console) {
   if (!table) return console.fail(table.error());
   report.points = table->points.size();
   report.seconds_read = watch.lap();
-  if (const auto refused = check_memory(options, report.points, console)) return *refused;
+  if (const auto refused = check_memory(options, !targets->reports.empty(), report.points, console))
+    return *refused;
 
   const Result<Minimized> result = minimize_pits(table->points, minimize_options(options, console));
   if (!result) return console.fail(blame(options.points, result.error()));

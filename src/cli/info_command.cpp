@@ -191,7 +191,7 @@ Json summarize(const InfoOptions& options, const FileFacts& facts) {
                        {"cell", {facts.grid->dx, facts.grid->dy}}};
   }
   if (facts.triangles) summary["triangles"] = *facts.triangles;
-  summary["build_memory_bytes"] = estimate_build_memory(points.points, Method::best);
+  summary["build_memory_bytes"] = estimate_build_memory(points.points, Method::best, false);
   return summary;
 }
 
@@ -221,9 +221,11 @@ void describe(const InfoOptions& options, const FileFacts& facts, Console& conso
   }
   if (!facts.crs.empty()) console.note("  crs         " + facts.crs);
   if (facts.triangles) console.note("  triangles   " + std::to_string(*facts.triangles));
-  console.note("  build needs about " + format_bytes(estimate_build_memory(points.points, Method::best)) +
-               " of memory, with -m flip " +
-               format_bytes(estimate_build_memory(points.points, Method::flip)));
+  const auto memory = [&](Method method, bool report) {
+    return format_bytes(estimate_build_memory(points.points, method, report));
+  };
+  console.note("  build needs about " + memory(Method::best, false) + " of memory, with -m flip " +
+               memory(Method::flip, false) + ", with --report " + memory(Method::best, true));
   if (points.sites < 3) {
     console.warn(options.file + ": fewer than three sites: there is nothing to triangulate");
   } else if (points.collinear) {

@@ -35,18 +35,20 @@ std::uint64_t machine_memory_bytes() noexcept {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size);
 }
 
-std::uint64_t estimate_build_memory(std::uint64_t points, Method method) noexcept {
+std::uint64_t estimate_build_memory(std::uint64_t points, Method method, bool report) noexcept {
   // Measured, by the peak memory that --json reports.
   constexpr std::uint64_t kFixed = std::uint64_t{16} << 20;
   constexpr std::uint64_t kInput = 24;  // a point: three doubles
   constexpr std::uint64_t kBest = 170;  // and delaunay, hull, exact
   constexpr std::uint64_t kFlip = 308;
-  return kFixed + points * (kInput + (method == Method::flip ? kFlip : kBest));
+  constexpr std::uint64_t kReport = 440;  // after the method, whose own memory is free again
+  const std::uint64_t build = method == Method::flip ? kFlip : kBest;
+  return kFixed + points * (kInput + (report ? std::max(build, kReport) : build));
 }
 
-std::optional<std::string> over_limit(std::uint64_t points, Method method,
+std::optional<std::string> over_limit(std::uint64_t points, Method method, bool report,
                                       std::optional<std::uint64_t> limit) {
-  const std::uint64_t needed = estimate_build_memory(points, method);
+  const std::uint64_t needed = estimate_build_memory(points, method, report);
   if (!limit || needed <= *limit) return std::nullopt;
   return counted(points, "point needs", "points need") + " about " + format_bytes(needed) +
          ", and --max-memory allows " + format_bytes(*limit) +

@@ -30,12 +30,13 @@ std::uint64_t machine_memory_bytes() noexcept;
 
 /// About how much memory `thalweg build` needs at its peak for so many points: the program itself, the points
 /// as they are read, and what the method makes of each: sites in order, the Delaunay triangulation, its copy
-/// that is changed, and for flip the queue of edges besides. `exact` searches in memory of its own only where
-/// `best` leaves a gap; that is not counted, nor is a --counter other than crawl.
-std::uint64_t estimate_build_memory(std::uint64_t points, Method method) noexcept;
+/// that is changed, and for flip the queue of edges besides; and what a report gathers of both terrains when
+/// that is done, if there is to be one. `exact` searches in memory of its own only where `best` leaves a gap;
+/// that is not counted, nor is a --counter other than crawl.
+std::uint64_t estimate_build_memory(std::uint64_t points, Method method, bool report) noexcept;
 
 /// Nothing, or why `points` points must not be built under --max-memory `limit`, and what to do.
-std::optional<std::string> over_limit(std::uint64_t points, Method method,
+std::optional<std::string> over_limit(std::uint64_t points, Method method, bool report,
                                       std::optional<std::uint64_t> limit);
 
 /// The number of threads that --threads stands for.

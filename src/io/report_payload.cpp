@@ -4,7 +4,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <numeric>
+
+#include "io/report_residual.hpp"
 
 namespace thalweg::io {
 namespace {
@@ -24,11 +27,11 @@ class Packer {
   void difference(std::uint32_t value, std::uint32_t less) {
     signed_number(std::int64_t{value} - std::int64_t{less});
   }
-  void floats(std::span<const float> values) {
-    for (int shift = 0; shift < 32; shift += 8) {
-      for (const float value : values) {
-        out_.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(value) >> shift));
-      }
+  /// All lowest bytes, then all second ones, ...
+  template <std::unsigned_integral T>
+  void planes(std::span<const T> values, unsigned bytes) {
+    for (unsigned shift = 0; shift < 8 * bytes; shift += 8) {
+      for (const T value : values) out_.push_back(static_cast<std::uint8_t>(value >> shift));
     }
   }
 
@@ -87,6 +90,24 @@ std::vector<float> to_floats(std::span<const Point3> points, FloatFrame& frame, 
   result.reserve(points.size());
   for (const Point3& p : points) result.push_back(frame(coordinate(p)));
   return result;
+}
+
+/// What the floats left out, if it is to be in the page; says so in `axis`.
+template <class Coordinate>
+void pack_residuals(Packer& out, const Report& report, std::span<const std::uint32_t> order, PackedAxis& axis,
+                    Coordinate coordinate) {
+  std::vector<double> exact, near;
+  exact.reserve(order.size());
+  near.reserve(order.size());
+  for (const std::uint32_t v : order) {
+    exact.push_back(coordinate(report.points[v]));
+    near.push_back(axis.frame.value(axis.frame(exact.back())));
+  }
+  const Residuals residuals = find_residuals(exact, near);
+  if (residuals.bytes > 0 && order.size() > kMostExactVertices) return;
+  axis.steps = residuals.steps;
+  axis.residual_bytes = residuals.bytes;
+  out.planes(std::span<const std::uint64_t>(residuals.values), residuals.bytes);
 }
 
 /// The triangles in the page's numbers, each with its smallest first, sorted; returns where each came from.
@@ -159,21 +180,28 @@ float FloatFrame::operator()(double value) const noexcept {
   return static_cast<float>((0.5 * value - 0.5 * origin) / unit * 2);
 }
 
+double FloatFrame::value(float held) const noexcept {
+  return origin + static_cast<double>(held) * unit;
+}
+
 Payload pack(const Report& report) {
   Payload payload;
-  const std::vector<float> x = to_floats(report.points, payload.x, [](const Point3& p) { return p.x; });
-  const std::vector<float> y = to_floats(report.points, payload.y, [](const Point3& p) { return p.y; });
-  const std::vector<float> z = to_floats(report.points, payload.z, [](const Point3& p) { return p.z; });
+  const auto x_of = [](const Point3& p) { return p.x; };
+  const auto y_of = [](const Point3& p) { return p.y; };
+  const auto z_of = [](const Point3& p) { return p.z; };
+  const std::vector<float> x = to_floats(report.points, payload.x.frame, x_of);
+  const std::vector<float> y = to_floats(report.points, payload.y.frame, y_of);
+  const std::vector<float> z = to_floats(report.points, payload.z.frame, z_of);
   const std::vector<std::uint32_t> order = along_curve(x, y);
   payload.position.resize(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) payload.position[order[i]] = i;
 
   Packer out(payload.bytes);
   for (const auto* values : {&x, &y, &z}) {
-    std::vector<float> sorted;
+    std::vector<std::uint32_t> sorted;
     sorted.reserve(order.size());
-    for (const std::uint32_t v : order) sorted.push_back((*values)[v]);
-    out.floats(sorted);
+    for (const std::uint32_t v : order) sorted.push_back(std::bit_cast<std::uint32_t>((*values)[v]));
+    out.planes(std::span<const std::uint32_t>(sorted), 4);
   }
   std::uint32_t last = 0;
   for (const std::uint32_t v : order) {
@@ -186,6 +214,9 @@ Payload pack(const Report& report) {
     out.unsigned_number(report.after_order[i]);
   }
   payload.changed_flows = pack_flows(out, report, order, payload.position);
+  pack_residuals(out, report, order, payload.x, x_of);
+  pack_residuals(out, report, order, payload.y, y_of);
+  pack_residuals(out, report, order, payload.z, z_of);
   return payload;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,7 +21,19 @@ struct FloatFrame {
   /// Requires: low <= high, finite.
   static FloatFrame around(double low, double high) noexcept;
   float operator()(double value) const noexcept;
+  /// What the page makes of a float, in the same arithmetic; infinite where that is beyond all doubles.
+  double value(float held) const noexcept;
 };
+
+/// One axis of the drawn vertices.
+struct PackedAxis {
+  FloatFrame frame;
+  double steps = 0;
+  std::optional<unsigned> residual_bytes;  ///< of each vertex; see report_residual.hpp. None: floats alone
+};
+
+/// So many vertices have all their digits in the page; of more, only axes that need no bytes for it.
+inline constexpr std::size_t kMostExactVertices = 200'000;
 
 /// Vertices are sorted along a space-filling curve, so that neighbours have close numbers, and everything
 /// that refers to vertices is written as differences, seven bits a byte:
@@ -30,11 +43,12 @@ struct FloatFrame {
 ///     common        three a triangle: first corner less that of the triangle before, the others less the
 ///     first before        the same after         the same, then the order of each downstream    before: next
 ///     vertex less the vertex, 0 at sinks; after: where it differs, (gap, the same)
+///     residuals     of x, y, z, see report_residual.hpp
 struct Payload {
-  FloatFrame x, y, z;
+  PackedAxis x, y, z;
   std::vector<std::uint32_t> position;  ///< of each vertex of the report among those of the page
   std::vector<std::uint8_t> bytes;      ///< the sections one after the other
-  std::size_t changed_flows = 0;        ///< entries of the last section
+  std::size_t changed_flows = 0;        ///< vertices whose next one differs
 };
 
 Payload pack(const Report& report);

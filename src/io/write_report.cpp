@@ -55,8 +55,11 @@ RowWriter& column(RowWriter& out, std::string_view name, std::span<const Item> i
   return out << ']';
 }
 
-void put_frame(RowWriter& out, std::string_view name, const FloatFrame& frame) {
-  field(field(out << '"' << name << "\":{", "origin", frame.origin) << ',', "unit", frame.unit) << '}';
+void put_axis(RowWriter& out, std::string_view name, const PackedAxis& axis) {
+  field(out << '"' << name << "\":{", "origin", axis.frame.origin) << ',';
+  field(out, "unit", axis.frame.unit) << ',';
+  field(out, "steps", axis.steps) << ',';
+  field(out, "bytes", axis.residual_bytes) << '}';
 }
 
 void put_pits(RowWriter& out, std::string_view name, std::span<const ReportPit> pits, const Report& report,
@@ -113,9 +116,9 @@ void put_drawn(RowWriter& out, const Report& report, const Payload& payload) {
   field(out, "before", report.before.size()) << ',';
   field(out, "after", report.after.size()) << ',';
   field(out, "changed_flows", payload.changed_flows) << ",\n";
-  put_frame(out, "x", payload.x);
-  put_frame(out << ',', "y", payload.y);
-  put_frame(out << ',', "z", payload.z);
+  put_axis(out, "x", payload.x);
+  put_axis(out << ',', "y", payload.y);
+  put_axis(out << ',', "z", payload.z);
   out << '}';
 }
 

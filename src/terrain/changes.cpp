@@ -18,6 +18,22 @@ bool is_delaunay_edge(const Surface& surface, VertexId u, VertexId v) {
   return std::find(neighbors.begin(), neighbors.end(), v) != neighbors.end();
 }
 
+/// Of the angle at a; NaN where rounding leaves nothing of it.
+double cotangent(Point2 a, Point2 b, Point2 c) {
+  const auto of_differences = [](Point2 p, Point2 q, Point2 r) {
+    const double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
+    return (qx * rx + qy * ry) / (qx * ry - qy * rx);
+  };
+  const double plain = of_differences(a, b, c);
+  if (std::isfinite(plain)) return plain;
+  // Products beyond the range of doubles: brought to coordinates of size 1, the angle is the same.
+  double size = 0;
+  for (const double value : {a.x, a.y, b.x, b.y, c.x, c.y}) size = std::max(size, std::fabs(value));
+  const int shift = -std::ilogb(size) - 1;
+  const auto scaled = [shift](Point2 p) { return Point2{std::ldexp(p.x, shift), std::ldexp(p.y, shift)}; };
+  return of_differences(scaled(a), scaled(b), scaled(c));
+}
+
 }  // namespace
 
 std::vector<FaceId> changed_faces(const Surface& surface, const Triangulation& triangulation) {
@@ -78,8 +94,7 @@ double min_angle_deg(const Surface& surface, const Triangulation& triangulation)
       const Point2 a = surface.sites()[t[corner].index()];
       const Point2 b = surface.sites()[t[(corner + 1) % 3].index()];
       const Point2 c = surface.sites()[t[(corner + 2) % 3].index()];
-      const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-      largest_cotangent = std::max(largest_cotangent, (bx * cx + by * cy) / (bx * cy - by * cx));
+      largest_cotangent = std::max(largest_cotangent, cotangent(a, b, c));
     }
   }
   return std::atan2(1.0, largest_cotangent) * (180 / std::numbers::pi);

@@ -6,11 +6,26 @@ import {after, before, test} from 'node:test';
 import {close, kData, open, painted, picture, placeOfPit, rows, settle, start, stop, thalweg, tipText, work, write} from './support.mjs';
 
 const kHostile = 'x<img src=x onerror=alert(1)>".xyz';
+const kHostileTable = 'y"><svg onload=alert(2)><!--&amp;\'.csv';
 let summary;
 let sweep;
+let orders;  // of each triangle, by its corners
 
 // Numbers as the page groups them.
 const digits = (text) => text.replace(/[\u202f\s]/g, '');
+
+// The largest order of the triangles at a vertex.
+function ordersAround(triangles, vertex) {
+  return Math.max(...[...triangles].filter(([corners]) => corners.split(',').includes(String(vertex))).map(([, order]) => order));
+}
+
+// In the page: all coordinates as its tips tell them, by the vertices of mesh files.
+function tellAll() {
+  const {axes, names} = window.thalwegReport.terrain;
+  const rows = [];
+  names.forEach((name, v) => { rows[name] = axes.map((axis) => axis.at(v)); });
+  return rows;
+}
 
 before(async () => {
   await start();
@@ -18,6 +33,12 @@ before(async () => {
   summary = JSON.parse(thalweg('build', terrain, '--report', 'terrain.html', '--sweep', '--pits', 'pits.csv', '-o', 'mesh.ply',
                                '--json', '-'));
   write('summary.json', JSON.stringify(summary));
+  thalweg('build', terrain, '-o', 'mesh.txt', '--to', 'ply-ascii');
+  const lines = readFileSync(work('mesh.txt'), 'utf8').split('\n');
+  orders = new Map(lines.filter((line) => /^3 \d+ \d+ \d+ \d+$/.test(line)).map((line) => {
+    const [, a, b, c, order] = line.split(' ').map(Number);
+    return [[a, b, c].sort((p, q) => p - q).join(), order];
+  }));
   sweep = JSON.parse(thalweg('sweep', terrain, '--json', '-'))[0].rows;
   thalweg('report', 'mesh.ply', '-o', 'mesh.html');
   thalweg('report', 'summary.json', '-o', 'summary.html');
@@ -65,7 +86,39 @@ test('hovering over pits tells their figures, in full', async () => {
     const tip = await tipText(page, map);
     for (const word of [pit.x, pit.y, pit.z, pit.vertex]) assert.ok(tip.includes(word), `${word} in ${tip}`);
     assert.ok(tip.includes(map === 'after' ? `it would need order ${pit.order_needed}` : 'drains over a new edge'), tip);
+    const order = map === 'after' ? ordersAround(orders, Number(pit.vertex)) : 0;
+    assert.match(tip, new RegExp(`its triangles\\s+order ${order} at most`));
   }
+  await close(report);
+});
+
+test('hovering over vertices tells their coordinates, in full', async () => {
+  const report = await open('terrain.html');
+  const {page} = report;
+  const sites = readFileSync(`${kData}jacksboro_1.xyz`, 'utf8').trim().split('\n').map((line) => line.trim().split(/\s+/).map(Number));
+  assert.deepEqual(await page.evaluate(tellAll), sites);
+  const targets = await page.evaluate(() => {
+    const {terrain, view, pits, style} = window.thalwegReport;
+    const box = document.querySelector('#map-after canvas').getBoundingClientRect();
+    const found = [];
+    for (let v = 0; v < terrain.vertices && found.length < 5; v += 100) {
+      const [x, y] = view.toScreen(terrain.x[v], terrain.y[v]);
+      const place = [box.left + Math.round(x), box.top + Math.round(y)];
+      const inside = [place[0] - box.left, place[1] - box.top];
+      if (pits.near(view, ...inside, style) || terrain.vertexNear(1, ...view.fromScreen(...inside), 3 / view.scale) !== v) continue;
+      found.push([...place, terrain.names[v]]);
+    }
+    return found;
+  });
+  assert.ok(targets.length > 0);
+  for (const [x, y, name] of targets) {
+    await page.mouse.move(x, y);
+    await settle(page);
+    const tip = await tipText(page, 'after');
+    for (const word of [`Vertex ${name}`, ...sites[name].map(String)]) assert.ok(tip.includes(word), `${word} in ${tip}`);
+    assert.match(tip, new RegExp(`its triangles\\s+order ${ordersAround(orders, name)} at most`));
+  }
+  await page.screenshot({path: work('vertex.png')});
   await close(report);
 });
 
@@ -83,18 +136,13 @@ test('hovering elsewhere tells the order of the triangle and the elevation there
       const x = Math.round(box.left + place[0]), y = Math.round(box.top + place[1]);
       const inside = [x - box.left, y - box.top];
       if (pits.near(view, ...inside, style) || terrain.triangleAt(1, ...view.fromScreen(...inside)) !== t) continue;
+      if (terrain.vertexNear(1, ...view.fromScreen(...inside), 6 / view.scale) >= 0) continue;
       const names = corners.map((v) => terrain.names[v]).sort((a, b) => a - b);
       found.push({x, y, names, order: terrain.order(t)});
     }
     return found;
   });
   assert.ok(targets.length > 0);
-  thalweg('build', `${kData}jacksboro_1.xyz`, '-o', 'mesh.txt', '--to', 'ply-ascii');
-  const lines = readFileSync(work('mesh.txt'), 'utf8').split('\n');
-  const orders = new Map(lines.filter((line) => /^3 \d+ \d+ \d+ \d+$/.test(line)).map((line) => {
-    const [, a, b, c, order] = line.split(' ').map(Number);
-    return [[a, b, c].sort((p, q) => p - q).join(), order];
-  }));
   for (const target of targets) {
     await page.mouse.move(target.x, target.y);
     await settle(page);
@@ -194,6 +242,18 @@ test('the keyboard moves, zooms, visits pits, changes tabs and walks the table',
   assert.equal(await tipText(page, 'after'), '');
   await page.keyboard.press('0');
   assert.deepEqual(await view(), fitted);
+  const asked = [];
+  for (const key of ['Enter', 'ArrowRight', 'ArrowRight']) {
+    await page.keyboard.press(key);
+    await settle(page);
+    asked.push(await tipText(page, 'before'));
+    assert.match(asked.at(-1), /Triangle|Vertex|Pit|pit/);
+    assert.equal(digits(await page.locator('#announce').textContent()).replaceAll(',', ''), digits(asked.at(-1)).replaceAll(',', ''));
+  }
+  assert.notEqual(asked[0], asked[2]);
+  await page.keyboard.press('Escape');
+  await settle(page);
+  assert.equal(await tipText(page, 'before'), '');
   await page.locator('#pits tbody tr').first().focus();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
@@ -285,18 +345,20 @@ test('names and headers cannot inject anything', async () => {
   write('hostile.ply', `ply\nformat ascii 1.0\ncomment crs: ${markup}<b id="planted">\nelement vertex 3\nproperty double x\n` +
         'property double y\nproperty double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n' +
         '0 0 1\n1 0 2\n0 1 3\n3 0 1 2\n');
+  write(kHostileTable, `"${markup}",x,y,z,"</title><img src=x onerror=alert(3)>"\n` +
+        points.split('\n').map((line) => `"<b id=planted>",${line.trim().split(/\s+/).join()},"</script>"\n`).join(''));
+  thalweg('build', kHostileTable, '--report', 'hostile_table.html', '-o', 'hostile_table.svg');
   thalweg('build', kHostile, '--report', 'hostile.html', '-o', 'hostile.svg', '--json', 'hostile.json');
   thalweg('report', 'hostile.ply', '-o', 'hostile_mesh.html');
-  for (const name of ['hostile.html', 'hostile_mesh.html']) {
+  const shown = {'hostile.html': kHostile, 'hostile_table.html': kHostileTable, 'hostile_mesh.html': markup};
+  for (const [name, text] of Object.entries(shown)) {
     const report = await open(name);
-    assert.equal(await report.page.locator('img, #planted').count(), 0);
+    assert.equal(await report.page.locator('img, svg[onload], #planted').count(), 0);
     await report.page.locator('#tab-figures').click();
-    const text = await report.page.locator('#figures').innerText();
-    assert.ok(text.includes(name === 'hostile.html' ? kHostile : markup));
+    assert.ok((await report.page.locator('#figures').innerText()).includes(text), name);
     await close(report);
   }
-  const svg = readFileSync(work('hostile.svg'), 'utf8');
-  assert.ok(!svg.includes('<img'));
+  for (const name of ['hostile.svg', 'hostile_table.svg']) assert.ok(!/<img|<svg onload/.test(readFileSync(work(name), 'utf8')));
 });
 
 test('draws level, huge, tiny and three-point terrains', async () => {
@@ -318,6 +380,7 @@ test('draws level, huge, tiny and three-point terrains', async () => {
     const {page} = report;
     const part = await painted(page, '#map-after canvas');
     assert.ok(part > 0.2, `${name}: ${part}`);
+    assert.deepEqual(await page.evaluate(tellAll), points, name);
     await page.locator('#map-before canvas').focus();
     await page.keyboard.press('n');
     await page.locator('#tab-scene').click();

@@ -259,6 +259,17 @@ TEST_F(CliBuild, RefusesWhatNeedsMoreMemoryThanAllowed) {
   EXPECT_EQ(run({"build", "points.xyz", "-o", "a.ply", "--max-memory", "8G"}).code, 0);
 }
 
+TEST_F(CliBuild, CountsTheMemoryOfAReport) {
+  write("points.xyz", noise(20'000, 13));
+  EXPECT_EQ(run({"build", "points.xyz", "-m", "delaunay", "--max-memory", "22M"}).code, 0);
+  for (const char* report : {"a.html", "a.svg"}) {
+    const Outcome outcome =
+        run({"build", "points.xyz", "-m", "delaunay", "--max-memory", "22M", "--report", report});
+    EXPECT_EQ(outcome.code, 5) << report;
+    EXPECT_FALSE(exists(report));
+  }
+}
+
 TEST_F(CliBuild, ReadsChosenColumnsAndSkipsNodata) {
   write("points.csv", "id,height,east,north\n1,5,0,0\n2,6,9,0\n3,7,0,9\n4,-99,9,9\n");
   const Json j =

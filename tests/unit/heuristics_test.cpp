@@ -271,6 +271,14 @@ TEST(MinAngle, OfRightTriangles) {
   EXPECT_NEAR(min_angle_deg(thin, thin.delaunay()), 5.7295779513082e-8, 1e-18);
 }
 
+TEST(MinAngle, OfTheLargestAndTheSmallestTriangles) {
+  for (const double size : {1e308, 1e-308}) {
+    const Surface square = surface_of(
+        std::vector<Point3>{{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}});
+    EXPECT_NEAR(min_angle_deg(square, square.delaunay()), 45, 1e-12) << size;
+  }
+}
+
 /// Counts kept along the way are those of a full count, at every smaller order too; the trail names every pit
 /// that went once.
 RC_GTEST_PROP(FlipPitsLaws, PitsAreWhatIsFoundAfterwards, ()) {

@@ -1,8 +1,12 @@
 /// What reports are made of: compression, hashes, text that stays text, packed geometry, the SVG map.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +14,7 @@
 #include "io/html_text.hpp"
 #include "io/random.hpp"
 #include "io/report_payload.hpp"
+#include "io/report_residual.hpp"
 #include "io/sha256.hpp"
 #include "io/write_report.hpp"
 #include "io/write_svg_map.hpp"
@@ -137,6 +142,85 @@ TEST(FloatFrame, SpansAnyRangeOfDoubles) {
     }
   }
   EXPECT_EQ(FloatFrame::around(300'000, 500'000).unit, 1);
+}
+
+/// The doubles as the page makes them.
+std::vector<double> told(const std::vector<double>& near, const Residuals& residuals) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const std::uint64_t folded = residuals.values[i];
+    const std::uint64_t residual = (folded & 1) != 0 ? ~(folded >> 1) : folded >> 1;
+    if (residuals.steps > 0) {
+      const double step = std::floor(near[i] * residuals.steps + 0.5);
+      values.push_back((step + static_cast<double>(static_cast<std::int64_t>(residual))) / residuals.steps);
+    } else {
+      const auto bits = std::bit_cast<std::uint64_t>(near[i]);
+      const std::uint64_t rank = ((bits & kSign) != 0 ? ~bits : bits | kSign) + residual;
+      values.push_back(std::bit_cast<double>((rank & kSign) != 0 ? rank ^ kSign : ~rank));
+    }
+  }
+  return values;
+}
+
+/// Packs and unpacks the values; they must come back bit for bit.
+Residuals expect_told(const std::vector<double>& values) {
+  const auto [low, high] = std::ranges::minmax(values);
+  const FloatFrame frame = FloatFrame::around(low, high);
+  std::vector<double> near;
+  for (const double value : values) near.push_back(frame.value(frame(value)));
+  const Residuals residuals = find_residuals(values, near);
+  const std::vector<double> back = told(near, residuals);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(back[i]), std::bit_cast<std::uint64_t>(values[i])) << values[i];
+    EXPECT_TRUE(residuals.bytes == 8 || residuals.values[i] >> (8 * residuals.bytes) == 0);
+  }
+  return residuals;
+}
+
+TEST(Residuals, BringBackEveryBit) {
+  constexpr double kMost = std::numeric_limits<double>::max(),
+                   kLeast = std::numeric_limits<double>::denorm_min();
+  expect_told({-kMost, -1, -0.0, 0, kLeast, 1, kMost});
+  expect_told({kMost / 2, std::nextafter(kMost, 0), kMost});
+  expect_told({-0.0, -0.0});
+  expect_told({-kLeast, 0, kLeast, 3 * kLeast});
+  expect_told({1, std::nextafter(1, 2), 1e9, 0.1});
+  Random random(7);
+  std::vector<double> values;
+  for (int i = 0; i < 1000; ++i)
+    values.push_back(std::ldexp(random.unit() - 0.5, static_cast<int>(random.below(2000)) - 1000));
+  expect_told(values);
+}
+
+TEST(Residuals, OfDecimalsAndFloatsAreSmall) {
+  Random random(8);
+  std::vector<double> metres, millimetres, floats;
+  for (int i = 0; i < 1000; ++i) {
+    metres.push_back(450'000 + static_cast<double>(random.below(30'000)));
+    millimetres.push_back((5'000'000'000.0 + static_cast<double>(random.below(100'000'000))) / 1000);
+    floats.push_back(static_cast<double>(static_cast<float>(1000 + 20'000 * random.unit())));
+  }
+  EXPECT_EQ(expect_told(metres).bytes, 0u);
+  EXPECT_EQ(expect_told(millimetres).bytes, 1u);
+  EXPECT_EQ(expect_told(millimetres).steps, 1000);
+  EXPECT_LE(expect_told(floats).bytes, 2u);
+  EXPECT_EQ(expect_told({42, 42}).bytes, 0u);
+}
+
+TEST(Payload, OfVeryManyVerticesLeavesOutWhatCostsBytes) {
+  Report report;
+  report.points.resize(kMostExactVertices + 1);
+  Random random(9);
+  for (std::uint32_t v = 0; v < report.points.size(); ++v) {
+    report.points[v] = {random.unit(), static_cast<double>(random.below(1000)), 5};
+    report.names.push_back(v);
+  }
+  for (auto& next : report.downstream) next.assign(report.points.size(), kNoVertex);
+  const Payload many = pack(report);
+  EXPECT_EQ(many.x.residual_bytes, std::nullopt);
+  EXPECT_EQ(many.y.residual_bytes, 0u);
+  EXPECT_EQ(many.z.residual_bytes, 0u);
 }
 
 TEST(Base64, IsThatOfTheStandard) {

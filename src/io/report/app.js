@@ -173,11 +173,10 @@ function showHead(data, terrain) {
     plural(data.vertices, 'vertex', 'vertices'), plural(data.triangles, 'triangle', 'triangles'),
     `order ${data.order}`, data.method ? `method ${data.method}` : 'compared with Delaunay'].join('  \u00b7  ');
   byId('headline').append(...headline(data));
-  const drawn = terrain.common + terrain.after;
-  if (drawn < data.triangles) {
+  if (terrain.thinned) {
     byId('thinned').hidden = false;
     byId('thinned').textContent =
-        `The maps show ${count(drawn)} of ${count(data.triangles)} triangles: all detail around pits and changed edges, ` +
+        `The maps show ${count(terrain.common + terrain.after)} of ${count(data.triangles)} triangles: all detail around pits and changed edges, ` +
         'thinned out elsewhere. Figures and coordinates are those of the whole terrain; flow paths run straight over what was left out.';
   }
 }

@@ -25,7 +25,17 @@ function row(label, value) {
   return element('div', {class: 'tip-row'}, element('span', {}, label), element('b', {}, value));
 }
 
-function pitTip(pit, data) {
+// How far from Delaunay a map is at a vertex.
+function orderRow(terrain, map, vertex) {
+  return row('its triangles', `order ${terrain.orderAround(map, vertex)} at most`);
+}
+
+// A coordinate in full, or what is left of it in a float.
+function coordinateRow(label, axis, vertex) {
+  return axis.known ? row(label, exact(axis.at(vertex))) : row(`${label}, about`, about(axis.at(vertex), 8));
+}
+
+function pitTip(pit, terrain, map) {
   return [
     element('div', {class: `tip-title ${pit.shownAs}`}, pitTitle(pit)),
     row('elevation', exact(pit.realZ)),
@@ -33,7 +43,19 @@ function pitTip(pit, data) {
     row('x', exact(pit.realX)),
     row('y', exact(pit.realY)),
     row('vertex', String(pit.name)),
-    element('div', {class: 'tip-text'}, reasonInWords(pit, data)),
+    orderRow(terrain, map, pit.vertex),
+    element('div', {class: 'tip-text'}, reasonInWords(pit, terrain.data)),
+  ];
+}
+
+function vertexTip(terrain, map, vertex) {
+  const [x, y, z] = terrain.axes;
+  return [
+    element('div', {class: 'tip-title'}, `Vertex ${terrain.names[vertex]}`),
+    coordinateRow('elevation', z, vertex),
+    coordinateRow('x', x, vertex),
+    coordinateRow('y', y, vertex),
+    orderRow(terrain, map, vertex),
   ];
 }
 
@@ -41,15 +63,18 @@ function placeTip(terrain, map, x, y) {
   const t = terrain.triangleAt(map, x, y);
   if (t < 0) return null;
   const digits = (value) => about(value, 9);
+  const standsForOthers = terrain.thinned && t < terrain.common;
   const {a, b, c} = terrain.weights(t, x, y);
   return [
-    element('div', {class: 'tip-title'}, `Triangle of order ${terrain.order(t)}`),
+    element('div', {class: 'tip-title'}, `Triangle of order ${terrain.order(t)}${standsForOthers ? ', or thinned out' : ''}`),
     row('elevation', about(terrain.elevationAt(t, x, y), 6)),
     row('x', digits(terrain.realX(x))),
     row('y', digits(terrain.realY(y))),
     row('vertices', [a, b, c].map((v) => terrain.names[v]).join(', ')),
   ];
 }
+
+const kVertexReach = 5;  // pixels
 
 class Tips {
   constructor(maps, shared) {
@@ -59,21 +84,35 @@ class Tips {
 
   // The chosen pit has a tip in both maps unless the pointer is about.
   update() {
-    const {state, view, pits, style, terrain} = this;
+    const {state, view, terrain} = this;
     for (const map of this.maps) {
       const {pointer, chosen} = state;
       if (pointer && pointer.map === map.which) {
-        const pit = pits.near(view, pointer.px, pointer.py, style);
-        const content = pit ? pitTip(pit, this.data) : placeTip(terrain, map.which, ...view.fromScreen(pointer.px, pointer.py));
-        this.show(map, content, pointer.px, pointer.py);
+        this.show(map, this.under(map.which, pointer.px, pointer.py), pointer.px, pointer.py);
       } else if (chosen && !pointer) {
         const [px, py] = view.toScreen(chosen.x, chosen.y);
         const inside = px >= 0 && py >= 0 && px <= view.width && py <= view.height;
-        this.show(map, inside ? pitTip(chosen, this.data) : null, px, py);
+        this.show(map, inside ? pitTip(chosen, terrain, map.which) : null, px, py);
       } else {
         this.show(map, null, 0, 0);
       }
     }
+  }
+
+  // A pit, else a vertex, else a place in a triangle.
+  under(map, px, py) {
+    const {view, pits, style, terrain} = this;
+    const pit = pits.near(view, px, py, style);
+    if (pit) return pitTip(pit, terrain, map);
+    const [x, y] = view.fromScreen(px, py);
+    const vertex = terrain.vertexNear(map, x, y, kVertexReach / view.scale);
+    return vertex >= 0 ? vertexTip(terrain, map, vertex) : placeTip(terrain, map, x, y);
+  }
+
+  // For those who cannot see the tip; only what is new is read out.
+  announce(tip) {
+    const text = [...tip.children].map((line) => [...line.childNodes].map((part) => part.textContent).join(' ')).join(', ');
+    if (byId('announce').textContent !== text) byId('announce').textContent = text;
   }
 
   show(map, content, px, py) {
@@ -81,6 +120,7 @@ class Tips {
     tip.hidden = content === null;
     if (content === null) return;
     tip.replaceChildren(...content);
+    if (this.state.pointer?.middle) this.announce(tip);
     const right = px + 18 + tip.offsetWidth > this.view.width;
     const low = py + 18 + tip.offsetHeight > this.view.height;
     const left = right ? Math.max(4, px - 18 - tip.offsetWidth) : px + 18;

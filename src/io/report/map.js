@@ -51,7 +51,7 @@ class MapView {
     this.drawMarker(currentTheme());
   }
 
-  // The chosen pit, and a cross where the pointer is in the other map.
+  // The chosen pit, and a cross where the pointer is in the other map, or where the keyboard asks.
   drawMarker(theme) {
     const {context, view, state} = this;
     context.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
@@ -69,7 +69,7 @@ class MapView {
       context.strokeStyle = theme.marker;
       context.stroke();
     }
-    if (state.pointer && state.pointer.map !== this.which) {
+    if (state.pointer && (state.pointer.map !== this.which || state.pointer.middle)) {
       const {px, py} = state.pointer;
       context.beginPath();
       for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
@@ -155,6 +155,7 @@ class MapView {
       Home: () => view.fit(),
       n: () => state.chooseNext(1),
       p: () => state.chooseNext(-1),
+      Enter: () => state.setPointer({map: this.which, px: view.width / 2, py: view.height / 2, middle: true}),
       Escape: () => state.choose(null),
     };
     const action = keys[event.key] ?? keys[event.key.toLowerCase()];

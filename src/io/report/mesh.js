@@ -5,6 +5,7 @@ class Terrain {
   constructor(data, payload) {
     this.data = data;
     this.names = payload.names;
+    this.axes = payload.axes;
     this.downstream = payload.downstream;
     this.afterOrder = payload.afterOrder;
     this.common = data.drawn.common;
@@ -39,6 +40,11 @@ class Terrain {
   // Whether triangle t belongs to map 0 (before) or 1 (after).
   shows(map, t) {
     return t < this.common || (t < this.common + this.before) === (map === 0);
+  }
+
+  // Whether triangles have been left out of the page; others then stand for them.
+  get thinned() {
+    return this.common + this.after < this.data.triangles;
   }
 
   order(t) {
@@ -160,6 +166,32 @@ class Terrain {
     const wa = turn(this, b, c, x, y) / area;
     const wb = 1 - wa - wc;
     return {a, b, c, wa, wb, wc, left: wa >= -1e-9 && wb >= -1e-9 && wc >= -1e-9};
+  }
+
+  // The vertex of a map nearest to a place, at most so far away; -1 if there is none.
+  vertexNear(map, x, y, reach) {
+    let best = -1;
+    let nearest = reach;
+    this.grid.forEach({left: x - reach, right: x + reach, bottom: y - reach, top: y + reach}, (t) => {
+      if (!this.shows(map, t)) return;
+      for (const v of this.corners.subarray(3 * t, 3 * t + 3)) {
+        const distance = Math.hypot(this.x[v] - x, this.y[v] - y);
+        if (distance > nearest || (distance === nearest && best >= 0 && best <= v)) continue;
+        nearest = distance;
+        best = v;
+      }
+    });
+    return best;
+  }
+
+  // The largest order of the triangles of a map that meet at a vertex.
+  orderAround(map, vertex) {
+    let most = 0;
+    const place = {left: this.x[vertex], right: this.x[vertex], bottom: this.y[vertex], top: this.y[vertex]};
+    this.grid.forEach(place, (t) => {
+      if (this.shows(map, t) && this.corners.subarray(3 * t, 3 * t + 3).includes(vertex)) most = Math.max(most, this.order(t));
+    });
+    return most;
   }
 
   elevationAt(t, x, y) {

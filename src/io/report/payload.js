@@ -42,6 +42,13 @@ class PayloadReader {
     return value % 2 === 1 ? -(value + 1) / 2 : value / 2;
   }
 
+  // A copy: the rest of the bytes need not stay.
+  piece(length) {
+    const from = this.at;
+    this.at += length;
+    return this.bytes.slice(from, this.at);
+  }
+
   triangles(length) {
     const corners = new Uint32Array(3 * length);
     let last = 0;
@@ -80,5 +87,52 @@ async function decodePayload(text, drawn) {
     after[v] = step(v);
   }
   result.downstream = [before, after];
+  result.axes = ['x', 'y', 'z'].map((axis) =>
+    new ExactAxis(drawn[axis], result[axis], reader.piece(n * (drawn[axis].bytes ?? 0))));
   return result;
+}
+
+// Coordinates bit for bit, from floats and what they left out; src/io/report_residual.hpp says how.
+class ExactAxis {
+  constructor(frame, floats, residuals) {
+    Object.assign(this, {frame, floats, residuals});
+  }
+
+  get known() {
+    return this.frame.bytes !== null;
+  }
+
+  // Of a vertex; rounded to a float if the rest is not known.
+  at(vertex) {
+    const {origin, unit, steps} = this.frame;
+    const near = origin + this.floats[vertex] * unit;
+    if (!this.known) return near;
+    const folded = this.residual(vertex);
+    const residual = folded % 2n === 1n ? -(folded + 1n) / 2n : folded / 2n;
+    if (steps > 0) return (Math.floor(near * steps + 0.5) + Number(residual)) / steps;
+    return fromRank(BigInt.asUintN(64, toRank(near) + residual));
+  }
+
+  residual(vertex) {
+    let value = 0n;
+    for (let plane = this.frame.bytes - 1; plane >= 0; --plane) {
+      value = value * 256n + BigInt(this.residuals[plane * this.floats.length + vertex]);
+    }
+    return value;
+  }
+}
+
+// Doubles numbered upwards, one after the other.
+const kWord = new DataView(new ArrayBuffer(8));
+const kSignBit = 1n << 63n;
+
+function toRank(value) {
+  kWord.setFloat64(0, value);
+  const bits = kWord.getBigUint64(0);
+  return bits >= kSignBit ? BigInt.asUintN(64, ~bits) : bits + kSignBit;
+}
+
+function fromRank(rank) {
+  kWord.setBigUint64(0, rank >= kSignBit ? rank - kSignBit : BigInt.asUintN(64, ~rank));
+  return kWord.getFloat64(0);
 }
