@@ -35,6 +35,7 @@ class THALWEG_EXPORT Pits {
   PitCount count() const noexcept;
 
   /// Appends a pit, number size(). Requires: vertices ascending, not empty. Invalidates: spans of vertices.
+  /// std::bad_alloc leaves all as it was.
   void add(std::span<const VertexId> vertices, bool boundary);
 
  private:

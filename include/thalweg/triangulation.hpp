@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "thalweg/array.hpp"
@@ -44,6 +45,18 @@ class THALWEG_EXPORT Triangulation {
  public:
   /// No vertices and no triangles.
   Triangulation() = default;
+  /// The same vertices and triangles under the same ids; a copy of a revision is one of the same base.
+  Triangulation(const Triangulation&) = default;
+  /// Takes all of the other, which is empty afterwards.
+  Triangulation(Triangulation&&) noexcept = default;
+  /// A copy. std::bad_alloc leaves all as it was.
+  Triangulation& operator=(const Triangulation& other) {
+    Triangulation copy(other);
+    return *this = std::move(copy);
+  }
+  /// Takes all of the other, which is empty afterwards.
+  Triangulation& operator=(Triangulation&&) noexcept = default;
+  ~Triangulation() = default;
 
   /// The triangulation with these counter-clockwise triangles over vertices 0 .. vertex_count - 1. Triangle i
   /// becomes face i, its corners in the given rotation. Vertices in no triangle are legal ("isolated").
@@ -151,13 +164,14 @@ class THALWEG_EXPORT Triangulation {
   ///
   /// Requires: h not on the hull; the caller has checked that the quadrilateral is strictly convex.
   /// Keeps all ids of vertices and faces; the six half-edges of the two faces are renumbered. Throws nothing
-  /// but, on a revision, std::bad_alloc. Complexity: O(1).
+  /// but, on a revision, std::bad_alloc, and then nothing has changed. Complexity: O(1).
   HalfedgeId flip(HalfedgeId h);
 
   /// Replaces faces by as many triangles that cover the same region; face olds[i] becomes triangle news[i].
   /// Requires: the triangles are counter-clockwise and bounded by the same edges as the faces.
   /// Keeps all ids of vertices and of other faces; the half-edges of `olds` are renumbered. Undo: the same
-  /// call with the old corners. Complexity: O(m log m) for m faces replaced.
+  /// call with the old corners. std::bad_alloc leaves all as it was. Complexity: O(m log m) for m faces
+  /// replaced.
   void replace(std::span<const FaceId> olds, std::span<const Triangle> news);
 
   /// The first broken invariant in words, or nothing: arrays of equal length; origins in range; no triangle
@@ -194,6 +208,7 @@ class THALWEG_EXPORT Triangulation {
     return (this->*array)[page * std::size_t{kPage} + h.index() % kPage];
   }
   std::size_t own_place(HalfedgeId h);
+  void claim(HalfedgeId h);
   void set_origin(HalfedgeId h, VertexId v) { origin_[own_place(h)] = v.index(); }
   void set_twin(HalfedgeId h, HalfedgeId twin) { twin_[own_place(h)] = twin.index(); }
 

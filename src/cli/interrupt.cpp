@@ -29,8 +29,10 @@ void handle_signals() noexcept {
   // No SA_RESTART: a read that waits for a terminal or a pipe must return, so that the flag is looked at.
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A reader that has gone and a limit on the size of files are errors of the write, which cleans up.
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 const std::atomic<bool>& interrupted() noexcept {

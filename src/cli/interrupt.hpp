@@ -6,7 +6,8 @@
 namespace thalweg::cli {
 
 /// SIGINT and SIGTERM set the flag; a second one ends the process at once, unless outputs are being written,
-/// which is quick to stop. SIGPIPE is ignored, so that a closed pipe is an error like any other.
+/// which is quick to stop. SIGPIPE and SIGXFSZ are ignored: a closed pipe, a file that may not grow are
+/// errors.
 void handle_signals() noexcept;
 
 /// The flag, for the `cancel` of the library and of files.

@@ -1,4 +1,7 @@
 /// The `thalweg` command: finds the subcommand, runs it, and turns whatever happens into an exit code.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -16,6 +19,15 @@
 
 namespace thalweg::cli {
 namespace {
+
+/// Takes up the numbers of standard streams that the caller has closed: the next file opened would get one,
+/// and with it all that is said. Opened the wrong way round, so that to use them is still an error.
+void occupy_closed_streams() noexcept {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
 
 std::string version_line() {
   return std::string("thalweg ") + version() + "\n";
@@ -100,6 +112,7 @@ ExitCode run_guarded(int argc, char** argv) {
 }  // namespace thalweg::cli
 
 int main(int argc, char** argv) {
+  thalweg::cli::occupy_closed_streams();
   thalweg::cli::handle_signals();
   return static_cast<int>(thalweg::cli::run_guarded(argc, argv));
 }

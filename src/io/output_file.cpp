@@ -125,7 +125,9 @@ int put_in_place(const std::string& temporary, const std::string& target, bool o
 std::optional<Error> check_output(const std::string& path, bool overwrite) {
   if (path.empty()) return failure("''", ErrorCode::unwritable, "an output needs a name");
   if (const auto descriptor = inherited_descriptor(path)) {
-    if (::fcntl(*descriptor, F_GETFD) < 0) return unwritable(path, errno);
+    const int flags = ::fcntl(*descriptor, F_GETFL);
+    if (flags < 0) return unwritable(path, errno);
+    if ((flags & O_ACCMODE) == O_RDONLY) return unwritable(path, EBADF);
     return std::nullopt;
   }
   const Target target = look_at(path);

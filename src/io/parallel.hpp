@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -33,6 +34,7 @@ void run_all(std::size_t count, Task&& task) {
   try {
     for (; started < count; ++started) threads.emplace_back(guarded, started);
   } catch (const std::system_error&) {  // no more threads to be had: the work is done here instead
+  } catch (const std::bad_alloc&) {     // the same for want of memory
   }
   if (count > 0) guarded(0);
   for (std::size_t i = started; i < count; ++i) guarded(i);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -46,6 +47,8 @@ void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, Mak
     for (unsigned i = 1; i < helpers; ++i) pool.emplace_back(run);
   } catch (const std::system_error&) {
     // No more threads to be had: those that run, and this one, do the work.
+  } catch (const std::bad_alloc&) {
+    // The same for want of memory.
   }
   run();
   for (std::thread& t : pool) t.join();

@@ -142,7 +142,7 @@ std::size_t Triangulation::own_place(HalfedgeId h) {
   if (page == kShared) {
     const std::size_t begin = h.index() / kPage * std::size_t{kPage};
     const std::size_t end = std::min<std::size_t>(begin + kPage, halfedge_count());
-    const std::size_t place = origin_.size();
+    const std::size_t place = twin_.size();  // the array that grows last, should memory end between the two
     origin_.resize(place + kPage);
     twin_.resize(place + kPage);
     std::copy(base_->origin_.data() + begin, base_->origin_.data() + end, origin_.data() + place);
@@ -150,6 +150,12 @@ std::size_t Triangulation::own_place(HalfedgeId h) {
     page = static_cast<std::uint32_t>(place / kPage);
   }
   return page * std::size_t{kPage} + h.index() % kPage;
+}
+
+/// Makes the numbers of h this revision's own, if h is valid. Edits do it for all that they will write before
+/// they write anything: memory that ends then leaves the triangulation as it was.
+void Triangulation::claim(HalfedgeId h) {
+  if (h.valid()) own_place(h);
 }
 
 std::vector<FaceId> Triangulation::revised_faces() const {
@@ -221,6 +227,9 @@ HalfedgeId Triangulation::flip(HalfedgeId h) {
   const HalfedgeId t = twin(h), ad_old = next(t), db_old = prev(t);
   const VertexId a = origin(h), b = origin(t), c = origin(ca_old), d = origin(db_old);
   const HalfedgeId bc = twin(bc_old), ca = twin(ca_old), ad = twin(ad_old), db = twin(db_old);
+  if (is_revision()) {
+    for (const HalfedgeId edited : {h, bc_old, ca_old, t, ad_old, db_old, bc, ca, ad, db}) claim(edited);
+  }
 
   set_origin(h, d);  // h: d -> c, then c -> a, a -> d
   set_origin(bc_old, c);
@@ -278,12 +287,15 @@ void Triangulation::replace(std::span<const FaceId> olds, std::span<const Triang
   std::vector<DirectedEdge> fresh;
   for (std::size_t i = 0; i < olds.size(); ++i) {
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = halfedge(olds[i], corner);
-      set_origin(h, news[i][corner]);
-      fresh.push_back({news[i][corner], news[i][(corner + 1) % 3], h});
+      fresh.push_back({news[i][corner], news[i][(corner + 1) % 3], halfedge(olds[i], corner)});
     }
   }
   std::sort(fresh.begin(), fresh.end());
+  if (is_revision()) {
+    for (const DirectedEdge& e : fresh) claim(e.halfedge);
+    for (const DirectedEdge& e : border) claim(e.halfedge);
+  }
+  for (const DirectedEdge& e : fresh) set_origin(e.halfedge, e.from);
 
   const auto find = [](const std::vector<DirectedEdge>& edges, VertexId from, VertexId to) {
     const auto it = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{from, to, HalfedgeId(0)});

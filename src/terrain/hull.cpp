@@ -29,6 +29,11 @@ class Inserter {
       return false;
     }
     pit_ = surface_.lowest(pit);
+    if (surface_.z(exit.to) == surface_.z(exit.from) && flats_.on_pit(outcome_.triangulation, exit.to)) {
+      // Two pits become one, which keeps the lower of their names.
+      pit_ = std::max(pit_, surface_.lowest(flats_.flat()),
+                      [&](VertexId u, VertexId v) { return surface_.lower(u, v); });
+    }
     return insertion_.plan(outcome_.triangulation, surface_.sites(), exit.from, exit.to);
   }
 

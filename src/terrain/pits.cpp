@@ -16,9 +16,17 @@ PitCount Pits::count() const noexcept {
 }
 
 void Pits::add(std::span<const VertexId> vertices, bool boundary) {
-  vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
-  starts_.push_back(static_cast<std::uint32_t>(vertices_.size()));
-  boundary_.push_back(boundary ? 1 : 0);
+  // Should memory end in the middle, what was added is the end of the arrays and goes again.
+  const std::size_t before = vertices_.size(), pits = boundary_.size();
+  try {
+    vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+    starts_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+    boundary_.push_back(boundary ? 1 : 0);
+  } catch (...) {
+    vertices_.resize(before);
+    starts_.resize(pits + 1);
+    throw;
+  }
 }
 
 namespace {

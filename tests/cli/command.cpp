@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,7 +52,7 @@ int code_of(int status) {
 }  // namespace
 
 Process::Process(const std::string& folder, const std::vector<std::string>& arguments,
-                 const std::string& input_file) {
+                 const std::string& input_file, const std::function<void()>& prepare) {
   Pipe in = make_pipe();
   if (!input_file.empty()) {
     close_end(in.read);
@@ -70,7 +71,9 @@ Process::Process(const std::string& folder, const std::vector<std::string>& argu
     dup2(in.read, STDIN_FILENO);
     dup2(out.write, STDOUT_FILENO);
     dup2(err.write, STDERR_FILENO);
-    if (chdir(folder.c_str()) == 0) execv(argv[0], argv.data());
+    const bool arrived = chdir(folder.c_str()) == 0;
+    if (prepare) prepare();
+    if (arrived) execv(argv[0], argv.data());
     _exit(127);
   }
   close_end(in.read);
@@ -121,9 +124,11 @@ Outcome Process::finish() {
     if (streams[1].revents != 0 && !take(err_, seen_.err)) streams[1].fd = -1;
   }
   int status = 0;
-  waitpid(pid_, &status, 0);
+  rusage used{};
+  wait4(pid_, &status, 0, &used);
   pid_ = -1;
   seen_.code = code_of(status);
+  seen_.peak_kilobytes = used.ru_maxrss;
   return seen_;
 }
 

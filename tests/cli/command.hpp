@@ -6,6 +6,7 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -19,15 +20,17 @@ struct Outcome {
   int code = -1;  ///< exit code; 128 + signal if killed by one
   std::string out;
   std::string err;
+  long peak_kilobytes = 0;  ///< of memory that was touched
 };
 
 /// A running command whose three streams are pipes of the test.
 class Process {
  public:
   /// Starts the binary in `folder`, with stdin from `input_file` or, without one, from a pipe that stays open
-  /// and empty until `close_input`.
+  /// and empty until `close_input`. The new process calls `prepare` just before it becomes the command: for
+  /// limits, say.
   Process(const std::string& folder, const std::vector<std::string>& arguments,
-          const std::string& input_file = "");
+          const std::string& input_file = "", const std::function<void()>& prepare = {});
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;

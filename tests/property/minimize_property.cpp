@@ -8,29 +8,17 @@
 #include <map>
 #include <vector>
 
-#include "support/run.hpp"
+#include "support/draws.hpp"
 
 namespace {
 
+using support::any_method;
 using support::Cloud;
 using support::minimize;
+using support::orders;
+using support::shape;
 using thalweg::Method;
 using thalweg::Minimized;
-
-rc::Gen<unsigned> orders() {
-  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0u, 9u));
-}
-
-Method any_method() {
-  const Method method =
-      *rc::gen::element(Method::delaunay, Method::flip, Method::hull, Method::best, Method::exact);
-  RC_LOG() << "method " << support::method_name(method) << "\n";
-  return method;
-}
-
-std::vector<oracle::Tri> shape(const Minimized& m) {
-  return oracle::normal_form(support::triangles_of(m.triangulation));
-}
 
 RC_GTEST_PROP(MinimizeLaws, TellsTheTruth, ()) {
   const Cloud cloud = *support::clouds(25);
@@ -100,7 +88,7 @@ RC_GTEST_PROP(MinimizeLaws, NumberOfThreadsDoesNotMatter, ()) {
   const unsigned k = *orders();
   const Method method = any_method();
   const Minimized one = minimize(cloud, method, k, 1);
-  for (const unsigned threads : {2u, 3u, 4u, 0u}) {
+  for (const unsigned threads : {2u, 3u, 4u, 5u, 6u, 7u, 8u, 0u}) {
     const Minimized many = minimize(cloud, method, k, threads);
     RC_ASSERT(many.triangulation == one.triangulation);
     RC_ASSERT(many.face_orders == one.face_orders);
@@ -247,65 +235,6 @@ RC_GTEST_PROP(DuplicateLaws, MeanIsReported, ()) {
     RC_ASSERT(refused.error().code == thalweg::ErrorCode::duplicate_points);
     RC_ASSERT(!refused.error().rows.empty());
   }
-}
-
-/// Moves that are exact change nothing: the library sees signs only.
-RC_GTEST_PROP(MetamorphicLaws, ExactMovesChangeNothing, ()) {
-  const Cloud cloud = *support::clouds(30);
-  const unsigned k = *orders();
-  const Method method = any_method();
-  const Minimized here = minimize(cloud, method, k);
-  const auto same = [&](const Cloud& moved) {
-    const Minimized there = minimize(moved, method, k);
-    return shape(there) == shape(here) && there.pits == here.pits && there.lower_bound == here.lower_bound;
-  };
-
-  Cloud shifted = cloud;
-  const double dx = *rc::gen::inRange(-100000, 100000), dy = 4503599627000000.0;
-  for (auto& p : shifted.points) p = {p.x + dx, p.y + dy, p.z};
-  RC_ASSERT(same(shifted));
-
-  for (const int exponent : {-1074, -500, 3, 1000}) RC_ASSERT(same(support::scaled(cloud, exponent)));
-
-  Cloud raised = cloud;  // any strictly monotone map of elevations
-  for (auto& p : raised.points) p.z = -std::ldexp(1.0, -static_cast<int>(p.z));
-  RC_ASSERT(same(raised));
-  Cloud stretched = cloud;
-  for (auto& p : stretched.points) p.z = 3 * p.z * p.z * p.z - 1e9;
-  RC_ASSERT(same(stretched));
-}
-
-/// A quarter turn keeps the pits of the Delaunay triangulation and the bound where no four sites are
-/// cocircular and no two level: nothing is then decided by ties of coordinates.
-RC_GTEST_PROP(MetamorphicLaws, QuarterTurnInGeneralPosition, ()) {
-  Cloud cloud = *support::clouds(25);
-  std::uint64_t state = *rc::gen::arbitrary<std::uint64_t>();
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    auto& p = cloud.points[i];
-    p = {p.x * 2000 + static_cast<double>((state >> 20) % 1999),
-         p.y * 2000 + static_cast<double>((state >> 40) % 1999), p.z * 1000 + i};
-  }
-  Cloud turned = cloud;
-  for (auto& p : turned.points) p = {-p.y, p.x, p.z};
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const auto& q = cloud.points;
-    for (std::uint32_t j = 0; j < i; ++j) RC_PRE(q[i].x != q[j].x || q[i].y != q[j].y);
-  }
-  const support::Prepared p(cloud);
-  for (const oracle::Tri& t : support::triangles_of(p.delaunay)) {
-    for (std::uint32_t v = 0; v < cloud.size(); ++v) {
-      if (v == t[0] || v == t[1] || v == t[2]) continue;
-      RC_PRE(oracle::in_circle(p.sites[t[0]], p.sites[t[1]], p.sites[t[2]], p.sites[v]) != 0);
-    }
-  }
-  const unsigned k = *orders();
-  const Method method = any_method();
-  const Minimized here = minimize(cloud, method, k), there = minimize(turned, method, k);
-  RC_ASSERT(here.delaunay_pits == there.delaunay_pits);
-  RC_ASSERT(here.lower_bound == there.lower_bound);
-  RC_ASSERT(here.pits == there.pits);
-  RC_ASSERT(shape(here) == shape(there));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -98,20 +99,25 @@ Tuple scaled(Tuple tuple, int exponent) {
   return tuple;
 }
 
-/// On a line of the integer lattice, at any scale at which it still fits into doubles.
-Tuple exactly_collinear(Random& random) {
+/// On a line of the integer lattice.
+Tuple lattice_line(Random& random) {
   const double x = random.whole(-1000, 1000), y = random.whole(-1000, 1000);
   const double dx = random.whole(-50, 50), dy = random.whole(-50, 50);
-  const Tuple tuple = tuple_of([&] {
+  return tuple_of([&] {
     const double t = random.whole(-20, 20);
     return Point2{x + t * dx, y + t * dy};
   });
+}
+
+/// The same at any scale at which it still fits into doubles.
+Tuple exactly_collinear(Random& random) {
+  const Tuple tuple = lattice_line(random);
   return scaled(tuple, random.between(-1074, 1000));
 }
 
 /// On a circle of the integer lattice turned and stretched by a Gaussian integer, so that the products reach
 /// and pass 53 bits; one point perhaps one lattice step off. Far from the origin or not, on either side.
-Tuple exactly_cocircular(Random& random) {
+Tuple lattice_circle(Random& random) {
   constexpr std::array<std::array<int, 2>, 5> kEighth = {{{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39}}};
   const int most = 1 << random.between(0, 12);
   const double re = random.whole(-most, most), im = random.whole(-most, most);
@@ -123,6 +129,11 @@ Tuple exactly_cocircular(Random& random) {
                                      : Point2{x + re * v - im * u, y + re * u + im * v};
   });
   if (random.between(0, 3) == 0) tuple[0].x += 1;
+  return tuple;
+}
+
+Tuple exactly_cocircular(Random& random) {
+  const Tuple tuple = lattice_circle(random);
   return scaled(tuple, random.between(-1074, 900));
 }
 
@@ -315,6 +326,60 @@ RC_GTEST_PROP(PredicateLaws, MirroringNegatesSigns, ()) {
   RC_ASSERT(thalweg::orient2d(mirrored(a), mirrored(b), mirrored(c)) == -thalweg::orient2d(a, b, c));
   RC_ASSERT(thalweg::incircle(mirrored(a), mirrored(b), mirrored(c), mirrored(d)) ==
             -thalweg::incircle(a, b, c, d));
+}
+
+/// All that the predicates say of a tuple.
+std::array<int, 4> signs_of(const Tuple& t) {
+  const auto& [a, b, c, d] = t;
+  return {thalweg::orient2d(a, b, c), thalweg::incircle(a, b, c, d), thalweg::compare_distance(a, b, c),
+          thalweg::detail::incircle_canonical(a, b, c, d)};
+}
+
+RC_GTEST_PROP(PredicateLaws, DistancesSurviveTurningAndMirroring, ()) {
+  const auto [a, b, c, d] = drawn();
+  const int sign = thalweg::compare_distance(a, b, c);
+  const auto turned = [](Point2 p) { return Point2{-p.y, p.x}; };
+  const auto mirrored = [](Point2 p) { return Point2{p.x, -p.y}; };
+  RC_ASSERT(thalweg::compare_distance(turned(a), turned(b), turned(c)) == sign);
+  RC_ASSERT(thalweg::compare_distance(mirrored(a), mirrored(b), mirrored(c)) == sign);
+}
+
+RC_GTEST_PROP(PredicateLaws, ExactTranslationKeepsSigns, (std::uint64_t seed)) {
+  Random random(seed);
+  const Tuple tuple = random.between(0, 1) == 0 ? lattice_line(random) : lattice_circle(random);
+  const double x = std::ldexp(random.whole(-7, 7), random.between(0, 48)), y = random.whole(-99999, 99999);
+  Tuple moved = tuple;
+  for (Point2& p : moved) p = {p.x + x, p.y + y};  // all whole and below 2^53
+  RC_LOG() << printed(tuple) << "moved by " << x << " " << y;
+  RC_ASSERT(signs_of(moved) == signs_of(tuple));
+}
+
+/// The places of the highest and the lowest bit that is set in any coordinate.
+std::array<int, 2> bits_of(const Tuple& tuple) {
+  int high = -1074, low = 1023;
+  for (const Point2& p : tuple) {
+    for (const double value : {p.x, p.y}) {
+      if (value == 0) continue;
+      int exponent = 0;
+      const auto mantissa =
+          static_cast<std::uint64_t>(std::ldexp(std::fabs(std::frexp(value, &exponent)), 53));
+      high = std::max(high, exponent - 1);
+      low = std::min(low, exponent - 53 + std::countr_zero(mantissa));
+    }
+  }
+  return {high, low};
+}
+
+RC_GTEST_PROP(PredicateLaws, PowersOfTwoKeepSigns, (std::uint64_t seed)) {
+  const Tuple tuple = drawn();
+  const auto [high, low] = bits_of(tuple);
+  RC_PRE(low <= high);
+  Random random(seed);
+  for (const int exponent : {-1074 - low, 1023 - high, random.between(-1074 - low, 1023 - high)}) {
+    const Tuple other = scaled(tuple, exponent);
+    RC_ASSERT(scaled(other, -exponent) == tuple);
+    RC_ASSERT(signs_of(other) == signs_of(tuple));
+  }
 }
 
 RC_GTEST_PROP(PredicateLaws, CanonicalObeysTheLawsOfIncircle, ()) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "kernel/edge_insertion.hpp"
 #include "support/run.hpp"
 
 namespace {
@@ -59,6 +60,15 @@ bool obeys_lemma4(const Prepared& p, const std::set<oracle::Pair>& ever, oracle:
   });
 }
 
+/// What holds between any two steps: a triangulation of all sites, by both checkers, of order at most k.
+void check_state(const Prepared& p, const Triangulation& t, unsigned k) {
+  const auto triangles = support::triangles_of(t);
+  RC_ASSERT(!t.find_fault());
+  RC_ASSERT(oracle::is_triangulation(p.sites, triangles));
+  RC_ASSERT(thalweg::find_faults(p.places, triangles).empty());
+  for (const oracle::Tri& triangle : triangles) RC_ASSERT(oracle::triangle_order(p.sites, triangle) <= k);
+}
+
 void check_flip_step(const Prepared& p, const TrailStep& step, unsigned k,
                      const std::vector<std::uint32_t>& rank, Triangulation& t) {
   RC_ASSERT(step.kind == TrailStep::Kind::flip);
@@ -75,8 +85,7 @@ void check_flip_step(const Prepared& p, const TrailStep& step, unsigned k,
   const std::uint64_t sum = sum_of_lower_ends(t, rank);
   const auto before = pit_names(p, t);
   t.flip(h);
-  RC_ASSERT(!t.find_fault());
-  RC_ASSERT(oracle::is_triangulation(p.sites, support::triangles_of(t)));
+  check_state(p, t, step.order);
   RC_ASSERT(sum_of_lower_ends(t, rank) < sum);
 
   const auto after = pit_names(p, t);
@@ -172,6 +181,55 @@ RC_GTEST_PROP(HullTrailLaws, EveryStepIsAllowed, ()) {
   }
   RC_ASSERT(m.pits.total + m.trail.size() <= m.delaunay_pits.total);
   for (const TrailStep& step : m.trail) RC_ASSERT(p.sites[step.pit.index()].z == p.sites[step.u.index()].z);
+}
+
+/// The faces of the Delaunay triangulation that the open segment uv passes through.
+std::vector<thalweg::FaceId> faces_under(const Prepared& p, std::uint32_t u, std::uint32_t v) {
+  std::set<thalweg::FaceId> faces;
+  for (std::uint32_t i = 0; i < p.delaunay.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    const std::uint32_t a = p.delaunay.origin(h).index(), b = p.delaunay.dest(h).index();
+    if (oracle::cross(p.sites[u], p.sites[v], p.sites[a], p.sites[b])) faces.insert(Triangulation::face(h));
+  }
+  return {faces.begin(), faces.end()};
+}
+
+/// The insertions done again one by one, as the paper says it: the faces under the edge, none of them marked
+/// by an earlier one, give way to the constrained Delaunay triangles beside it, and are marked.
+RC_GTEST_PROP(HullTrailLaws, EveryStepKeepsTheLaws, ()) {
+  const Cloud cloud = *support::clouds(25);
+  const unsigned k = *rc::gen::inRange(0u, 9u);
+  const Prepared p(cloud);
+  const Minimized m = minimize(cloud, Method::hull, k);
+  Triangulation t = p.delaunay;
+  std::set<thalweg::FaceId> marked;
+  thalweg::detail::EdgeInsertion insertion;
+  for (const TrailStep& step : m.trail) {
+    const auto faces = faces_under(p, step.u.index(), step.v.index());
+    for (const thalweg::FaceId f : faces) RC_ASSERT(marked.insert(f).second);
+    const auto before = pit_names(p, t);
+    RC_ASSERT(before.count(step.pit.index()) == 1u);
+    RC_ASSERT(insertion.plan(t, p.places, step.u, step.v));
+    std::vector<thalweg::FaceId> planned(insertion.faces().begin(), insertion.faces().end());
+    std::sort(planned.begin(), planned.end());
+    RC_ASSERT(planned == faces);
+    insertion.apply(t);
+    check_state(p, t, step.order);
+    RC_ASSERT(t.joined(step.u, step.v));
+    const auto after = pit_names(p, t);
+    RC_ASSERT(after.size() < before.size());
+    RC_ASSERT(after.count(step.pit.index()) == 0u);
+  }
+  RC_ASSERT(oracle::normal_form(support::triangles_of(t)) ==
+            oracle::normal_form(support::triangles_of(m.triangulation)));
+}
+
+/// Joining two lakes left the one that keeps its name reported as removed.
+TEST(HullTrail, NamesTheLakeThatIsNoMore) {
+  const Cloud cloud{{{65, 0, 0}, {60, 25, 0}, {0, 0, 1}, {62, 16, 1}}};
+  const Minimized m = minimize(cloud, Method::hull, 1);
+  ASSERT_EQ(m.trail.size(), 1u);
+  EXPECT_EQ(m.trail[0].pit.index(), 0u);
 }
 
 /// No triangle of the result has its circle around a site that it could see: away from the inserted edges the

@@ -1,7 +1,7 @@
 /// Memory that runs out at every possible moment is a status, and leaks nothing (the sanitizers would say
 /// so).
 #include "check.h"
-#include "failing_new.h"
+#include "support/failing_new.h"
 
 enum { kPoints = 60 };
 
