@@ -82,7 +82,7 @@ TEST_F(CliCorpus, SampleAndGenerateRefuseTables) {
   for_each_case([&](const support::CorpusCase& c, int) {
     const Outcome sample = run({"sample", c.path, "-n", "3", "--seed", "1", "-o", "s.xyz"});
     EXPECT_TRUE(sample.code == 2 || sample.code == 3) << sample.err;
-    const Outcome generate = run({"generate", "hard", "--segments", c.path, "-o", "g.xyz"});
+    const Outcome generate = run({"generate", "theorem1", "--segments", c.path, "-o", "g.xyz"});
     EXPECT_TRUE(generate.code == 2 || generate.code == 3) << generate.err;
     EXPECT_FALSE(exists("s.xyz") || exists("g.xyz"));
   });
