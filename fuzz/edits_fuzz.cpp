@@ -95,7 +95,10 @@ void insert(Twins& twins, const std::vector<Point2>& sites, VertexId p, VertexId
   if (keep) return;
   plan.undo(twins.copy);
   same.undo(twins.revision);
-  fuzz::check(twins.copy == before, "an undone insertion leaves no trace", sites);
+  // Which half-edge `outgoing` names at an inner vertex is free.
+  fuzz::check(std::ranges::equal(twins.copy.origins(), before.origins()) &&
+                  std::ranges::equal(twins.copy.twins(), before.twins()),
+              "an undone insertion leaves no trace", sites);
 }
 
 void check_sound(const Twins& twins, const Triangulation& base, const std::vector<Point2>& sites) {
