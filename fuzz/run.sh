@@ -25,7 +25,7 @@ for target in "$build"/fuzz/*_fuzz; do
   mkdir -p "$found"
   seeds=("$root/tests/corpus")
   if [[ -d $root/fuzz/corpus/$subject ]]; then seeds+=("$root/fuzz/corpus/$subject"); fi
-  if ! "$target" -max_total_time="$seconds" -max_len=1024 -timeout=20 -print_final_stats=1 -verbosity=0 \
+  if ! "$target" -max_total_time="$seconds" -max_len=1024 -timeout=60 -print_final_stats=1 -verbosity=0 \
     -artifact_prefix="$build/findings/$subject-" "$found" "${seeds[@]}" >"$build/$subject.log" 2>&1; then
     tail -n 40 "$build/$subject.log"
     exit 1
