@@ -58,7 +58,7 @@ void check_useful_pairs(const std::vector<Point2>& points, const support::Rows& 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Input input(data, size);
   const unsigned limit = input.byte() % 8;
-  const std::vector<Point2> points = fuzz::take_points(input, 14);
+  const std::vector<Point2> points = fuzz::take_points(input, 10);
   const auto delaunay = thalweg::delaunay(points);
   if (!delaunay) return 0;
   const support::Rows rows = support::distinct_rows(points);
