@@ -63,7 +63,9 @@ TEST_F(CliCorpus, VoronoiNeedsAsManySitesAsItsOrder) {
     const Outcome outcome =
         run({"voronoi", c.path, "-k", "2", "--query", c.path, "-o", c.name + ".csv", "-q"});
     EXPECT_EQ(outcome.code == 0, sites >= 2) << outcome.err;
-    if (outcome.code != 0) EXPECT_TRUE(outcome.code == 2 || outcome.code == 3) << outcome.code;
+    if (outcome.code != 0) {
+      EXPECT_TRUE(outcome.code == 2 || outcome.code == 3) << outcome.code;
+    }
   });
 }
 
