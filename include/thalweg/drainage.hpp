@@ -35,9 +35,9 @@ struct Drainage {
   /// The start of the longest path, in the plane: of equally long ones the first in elevation order. Invalid
   /// without vertices.
   VertexId longest_from;
-  std::uint32_t longest_edges = 0;
-  /// Units: those of x and y. Rounded, for reading only, but the same everywhere; infinite beyond all
-  /// doubles.
+  std::uint32_t longest_edges = 0;  ///< the edges of that path
+  /// Its length in the plane. Units: those of x and y. Rounded, for reading only, but the same everywhere;
+  /// infinite beyond all doubles.
   double longest_length = 0;
 };
 
