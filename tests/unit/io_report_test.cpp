@@ -44,7 +44,7 @@ TEST(Deflate, ComesBackWhole) {
   expect_comes_back(Bytes(3, 7));
   expect_comes_back(Bytes(100'000, 255));
   Random random(1);
-  for (const std::uint64_t letters : {1, 2, 3, 40, 256}) {
+  for (const std::uint64_t letters : {1u, 2u, 3u, 40u, 256u}) {
     for (const std::size_t size : {2u, 10u, 257u, 258u, 259u, 70'000u}) {
       Bytes bytes;
       for (std::size_t i = 0; i < size; ++i)
