@@ -209,7 +209,7 @@ void OutputFile::fail(ErrorCode code, int error_number) {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (error_) return;
+  if (error_ || bytes.empty()) return;  // nothing may have no address, which memcpy does not take
   size_ += bytes.size();
   if (bytes.size() > kBufferSize - used_) {
     flush();
