@@ -26,8 +26,8 @@ THALWEG_EXPORT std::optional<unsigned> useful_order(const DelaunayGraph& graph, 
                                                     VertexId u, VertexId v, unsigned limit);
 
 /// All pairs of useful order at most k that contain p, as {p, q, order}, ordered by q. Exact. Degenerate:
-/// none for an isolated vertex. Complexity: independent of the number of sites: of the order of k^2.7 steps
-/// for sites in general position.
+/// none for an isolated vertex. Complexity: independent of the number of sites: O(k) sites are in reach
+/// on the average, each takes O(k) steps.
 THALWEG_EXPORT std::vector<UsefulPair> useful_pairs_from(const DelaunayGraph& graph, VertexId p, unsigned k);
 
 /// All pairs of useful order at most k, each once with u < v, sorted. Uniform sites have about 3.53 n, 4.09

@@ -1,8 +1,9 @@
-/// The walk from one site through sleeves of Delaunay triangles to every site that it sees and that may be in
-/// reach.
+/// The search from one site for all that it can be joined to at order k.
 ///
-/// For a site p and each triangle p, a, b at it, an open cone of directions is pushed outwards through the
-/// triangulation:
+/// Mostly the sites in reach are collected along edges (reach.hpp), and each that is wanted is asked for by
+/// its own sleeve. Where that is not bounded a walk through sleeves of Delaunay triangles comes to every site
+/// that p sees and that may be in reach. For a site p and each triangle p, a, b at it, an open cone of
+/// directions is pushed outwards through the triangulation:
 ///
 ///              c                the cone between the rays p -> r and p -> l has come through the edge ab;
 ///            / . \              the apex c behind it is inside the cone: c is seen, and the cone parts at it
@@ -37,8 +38,9 @@
 #include <vector>
 
 #include "kernel/predicates_inline.hpp"
+#include "kernel/sleeve.hpp"
 #include "order/distinct_sites.hpp"
-#include "order/half_disks.hpp"
+#include "order/reach.hpp"
 #include "thalweg/circle_count.hpp"
 
 namespace thalweg::detail {
@@ -46,11 +48,8 @@ namespace thalweg::detail {
 /// Searches from one site at a time. Holds scratch memory: one per thread.
 class SleeveSearch {
  public:
-  /// Requires: graph and counter outlive the search. From the order `half_disks_from` on the walk is pruned
-  /// by half disks too: that is a matter of speed only.
-  SleeveSearch(const DelaunayGraph& graph, CircleCounter& counter,
-               unsigned half_disks_from = HalfDisks::kLeastOrder)
-      : graph_(&graph), counter_(&counter), half_disks_from_(half_disks_from) {}
+  /// Requires: graph and counter outlive the search.
+  SleeveSearch(const DelaunayGraph& graph, CircleCounter& counter) : graph_(&graph), counter_(&counter) {}
 
   /// Calls found(q, order) once for every site q with wanted(q) and a useful order of at most k with p; stops
   /// early and returns true if found returns true. In no particular order, but a function of the
@@ -58,26 +57,41 @@ class SleeveSearch {
   /// counts each.
   template <class Wanted, class Found>
   bool run(VertexId p, unsigned& k, Wanted&& wanted, Found&& found) {
-    const Triangulation& t = graph_->delaunay();
     for (const VertexId q : graph_->neighbors(p)) {
       if (wanted(q) && found(q, 0u)) return true;
     }
+    reach_.measure(*graph_, p, k);
+    if (!reach_.collect(*graph_)) return walk(p, k, wanted, found);
+    for (const VertexId q : reach_.sites()) {
+      if (!wanted(q)) continue;
+      const unsigned order = order_across(p, q, k);
+      if (order <= k && found(q, order)) return true;
+    }
+    return false;
+  }
+
+  /// The same for all but the neighbours of p, by the walk. Requires: p measured by `reach` at order k or
+  /// more.
+  template <class Wanted, class Found>
+  bool walk(VertexId p, unsigned& k, Wanted&& wanted, Found&& found) {
+    const Triangulation& t = graph_->delaunay();
     if (t.isolated(p)) return false;
-    uses_half_disks_ = k >= half_disks_from_;
-    if (uses_half_disks_) half_disks_.gather(*graph_, p, k);
     for (HalfedgeId h = t.outgoing(p), first = h; h.valid();) {
-      if (run_cone(p, Triangulation::next(h), k, wanted, found)) return true;
+      if (walk_cone(p, Triangulation::next(h), k, wanted, found)) return true;
       h = t.turn_ccw(h);
       if (h == first) break;
     }
     return false;
   }
 
+  /// How far p, of the last search, can be joined: for `walk`.
+  Reach& reach() noexcept { return reach_; }
+
  private:
   /// A ray out of p, by the site it runs through and the way to it.
   struct Ray {
     VertexId site;
-    double x, y;
+    Way way;
   };
 
   /// An open cone about to cross `edge`, which runs from its right to its left side with p's side on its
@@ -96,7 +110,7 @@ class SleeveSearch {
   };
 
   template <class Wanted, class Found>
-  bool run_cone(VertexId p, HalfedgeId edge, unsigned& k, Wanted&& wanted, Found&& found) {
+  bool walk_cone(VertexId p, HalfedgeId edge, unsigned& k, Wanted&& wanted, Found&& found) {
     const Triangulation& t = graph_->delaunay();
     const VertexId a = t.origin(edge), b = t.dest(edge);
     at_p_ = graph_->point(p);
@@ -105,11 +119,10 @@ class SleeveSearch {
     branches_.clear();
     Cone cone{edge, ray_to(a), ray_to(b), true};
     for (;;) {
-      if (!(is_deep(k) && is_out_of_reach(cone, k)) && advance(cone, k)) {
+      if (!is_beyond(cone) && advance(cone, k)) {
         const VertexId c = apex_.site;
         const bool is_inside = right_of_left_ && left_of_right_;
-        if (is_inside && wanted(c) &&
-            !(uses_half_disks_ && half_disks_.exceed(k, apex_, apex_, apex_, apex_))) {
+        if (is_inside && !reach_.is_beyond(apex_.way) && wanted(c)) {
           const unsigned order = cone.cocircular ? 0 : order_with(p, c, k);
           if (order <= k && found(c, order)) return true;
         }
@@ -165,27 +178,19 @@ class SleeveSearch {
     return true;
   }
 
-  /// Whether the sleeve is so long, in sites, that a test of its half disks is worth its time: it takes that
-  /// of many steps, seldom tells at once, and tells more the further the walk has come.
-  bool is_deep(unsigned k) const noexcept {
-    const std::size_t length = left_.size() + right_.size();
-    return uses_half_disks_ && length % 5 == 0 && length * length >= 8 * std::size_t{k};
-  }
-
-  bool is_out_of_reach(const Cone& cone, unsigned k) const {
+  /// Whether all that the cone may still come to is out of reach.
+  bool is_beyond(const Cone& cone) const {
     const Triangulation& t = graph_->delaunay();
-    return half_disks_.exceed(k, ray_to(t.origin(cone.edge)), ray_to(t.dest(cone.edge)), cone.right,
-                              cone.left);
+    const Point2 a = graph_->point(t.origin(cone.edge)), b = graph_->point(t.dest(cone.edge));
+    return reach_.is_beyond(way_between(at_p_, a), way_between(at_p_, b), way_between(a, b), cone.right.way,
+                            cone.left.way);
   }
 
-  Ray ray_to(VertexId v) const {
-    const Point2 at = graph_->point(v);
-    return {v, at.x - at_p_.x, at.y - at_p_.y};
-  }
+  Ray ray_to(VertexId v) const { return {v, way_between(at_p_, graph_->point(v))}; }
 
   /// The side of the ray `from` on which the site of `to` lies: orient2d_sign of p and the two sites.
   int turn(const Ray& from, const Ray& to) const {
-    const double left = from.x * to.y, right = from.y * to.x;
+    const double left = from.way.x * to.way.y, right = from.way.y * to.way.x;
     const double bound = kOrient2dBound * (std::fabs(left) + std::fabs(right)) + kUnderflowMargin;
     if (std::fabs(left - right) > bound) return left > right ? 1 : -1;
     return orient2d_unfiltered(graph_->point(from.site), graph_->point(to.site), at_p_);
@@ -195,6 +200,27 @@ class SleeveSearch {
   /// twice on one side; only distinct ones count.
   static bool admits(const DistinctSites& side, VertexId c, bool cocircular, unsigned k) {
     return cocircular || side.size() < k || (side.size() == k && side.contains(c));
+  }
+
+  /// The useful order of p and q, which are not joined, or k + 1 if more, by the sleeve between them.
+  unsigned order_across(VertexId p, VertexId q, unsigned k) {
+    if (!find_sleeve(graph_->delaunay(), graph_->sites(), p, q, sleeve_)) return k + 1;
+    left_.restart(sleeve_.left[0]);
+    right_.restart(sleeve_.right[0]);
+    if (is_cocircular(p, q)) return 0;
+    for (const VertexId v : sleeve_.left) left_.add(v);
+    for (const VertexId v : sleeve_.right) right_.add(v);
+    return std::max(left_.size(), right_.size()) > k ? k + 1 : order_with(p, q, k);
+  }
+
+  /// Whether p, q and their whole sleeve are on one circle.
+  bool is_cocircular(VertexId p, VertexId q) const {
+    const auto at = [&](VertexId v) { return graph_->point(v); };
+    const auto on_circle = [&](VertexId v) {
+      return incircle_sign(at(p), at(sleeve_.right[0]), at(sleeve_.left[0]), at(v)) == 0;
+    };
+    return on_circle(q) && std::all_of(sleeve_.left.begin() + 1, sleeve_.left.end(), on_circle) &&
+           std::all_of(sleeve_.right.begin() + 1, sleeve_.right.end(), on_circle);
   }
 
   unsigned order_with(VertexId p, VertexId q, unsigned k) {
@@ -226,9 +252,8 @@ class SleeveSearch {
   Point2 at_p_{};
   Ray apex_{};
   bool right_of_left_ = false, left_of_right_ = false;
-  HalfDisks half_disks_;
-  unsigned half_disks_from_;
-  bool uses_half_disks_ = false;
+  Reach reach_;
+  Sleeve sleeve_;
   DistinctSites left_, right_;
   std::vector<Branch> branches_;
 };

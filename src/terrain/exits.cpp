@@ -15,13 +15,14 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
   return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
 
-/// Steps that finding the least orders may be expected to take in all: a tenth of a second.
-constexpr std::uint64_t kStepBudget = 5'000'000;
+/// What finding the least orders may be expected to take in all, in units of about a nanosecond: some tenths
+/// of a second.
+constexpr std::uint64_t kBudget = 200'000'000;
 
-/// What a walk of order k is expected to take: about 1200 steps at k = 8, 7800 at 16 and 55,000 at 32 were
+/// What a search of order k is expected to take: 16 microseconds at k = 8, 55 at 16 and 160 at 32 were
 /// measured.
-constexpr std::uint64_t expected_steps(std::uint64_t k) {
-  return 2 * k * k * k + 10;
+constexpr std::uint64_t expected_work(std::uint64_t k) {
+  return 200 * k * k + 3000;
 }
 
 /// Whether a flat is all that lies at or below its height, so that nothing at all could drain it.
@@ -186,9 +187,9 @@ LeastOrders least_exit_orders(const Surface& surface, const std::vector<std::vec
   while (result.searched < sites && !is_cancelled(cancel)) {
     const unsigned limit = std::max(result.searched + 1, std::min(sites, 2 * result.searched));
     for (std::size_t i = 0; i < flats.size(); ++i) {
-      if (settled[i] == 0) used += flats[i].size() * expected_steps(limit);
+      if (settled[i] == 0) used += flats[i].size() * expected_work(limit);
     }
-    if (used > kStepBudget) break;
+    if (used > kBudget) break;
     parallel_chunks(flats.size(), 16, threads, [&] {
       return [&, counter = CircleCounter(surface.graph())](std::size_t begin, std::size_t end) mutable {
         SleeveSearch search(surface.graph(), counter);
