@@ -11,13 +11,14 @@ namespace {
 /// a neighbour of p.
 HalfedgeId first_crossed(const Triangulation& t, std::span<const Point2> sites, VertexId p, VertexId q) {
   const Point2 at_p = sites[p.index()], at_q = sites[q.index()];
+  const auto side_of = [&](VertexId v) { return orient2d_sign(at_p, sites[v.index()], at_q); };
   const HalfedgeId first = t.outgoing(p);
+  int right = side_of(t.dest(first));  // the side of the ray to the right end on which q lies
   for (HalfedgeId h = first; h.valid();) {
     const HalfedgeId edge = Triangulation::next(h);
-    if (orient2d_sign(at_p, sites[t.origin(edge).index()], at_q) > 0 &&
-        orient2d_sign(at_p, sites[t.dest(edge).index()], at_q) < 0) {
-      return edge;
-    }
+    const int left = side_of(t.dest(edge));
+    if (right > 0 && left < 0) return edge;
+    right = left;
     h = t.turn_ccw(h);
     if (h == first) break;
   }

@@ -242,8 +242,16 @@ HalfedgeId Triangulation::flip(HalfedgeId h) {
   link(ad_old, db);
   link(db_old, bc);
 
-  const FaceId faces[] = {face(h), face(t)};
-  settle_outgoing(faces);
+  // Each of the four corners may have pointed at a half-edge that has another origin now. On the hull it points
+  // at the half-edge there, which has moved with it.
+  const auto move_outgoing = [&](VertexId v, HalfedgeId from, HalfedgeId or_from, HalfedgeId to) {
+    std::uint32_t& out = outgoing_[v.index()];
+    if (out == from.index() || out == or_from.index()) out = to.index();
+  };
+  move_outgoing(a, h, ad_old, ca_old);
+  move_outgoing(b, t, bc_old, db_old);
+  move_outgoing(c, ca_old, ca_old, bc_old);
+  move_outgoing(d, db_old, db_old, ad_old);
   return h;
 }
 

@@ -47,7 +47,7 @@ void Reach::measure(const DelaunayGraph& graph, VertexId p, unsigned k) {
 bool Reach::collect(const DelaunayGraph& graph) {
   if (*std::min_element(nearness_.begin(), nearness_.end()) == 0) return false;
   reached_.clear();
-  const std::size_t most = table_.size() / 4;
+  const std::size_t most = table_.size() / 2;
   for (std::size_t i = 1; i < met_.size(); ++i) {
     if (is_beyond(way_between(at_p_, graph.point(met_[i])))) continue;
     if (i > degree_) reached_.push_back(met_[i]);
@@ -58,7 +58,7 @@ bool Reach::collect(const DelaunayGraph& graph) {
 
 /// Makes room for so many sites near p, and for eight times as many later.
 void Reach::start(VertexId p, std::size_t near) {
-  table_.assign(std::bit_ceil(32 * near), VertexId());
+  table_.assign(std::bit_ceil(16 * near), VertexId());
   met_.clear();
   expanded_ = 0;
   meet(p);

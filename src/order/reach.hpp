@@ -113,7 +113,7 @@ class Reach {
   std::size_t degree_ = 0;       // of p
   std::size_t expanded_ = 0;     // so many of the sites met have had all their neighbours met
   std::vector<VertexId> met_;    // p, then others, nearest by edges first
-  std::vector<VertexId> table_;  // the same, hashed; a power of two, never more than a quarter full
+  std::vector<VertexId> table_;  // the same, hashed; a power of two, never more than half full
   std::vector<VertexId> reached_;
   std::array<double, kSectors> nearness_{};  // the inverse of the distance up to which a sector is in reach
 

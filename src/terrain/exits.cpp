@@ -15,9 +15,9 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
   return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
 
-/// What finding the least orders may be expected to take in all, in units of about a nanosecond: some tenths
+/// What finding the least orders may be expected to take in all, in units of about a nanosecond: a tenth
 /// of a second.
-constexpr std::uint64_t kBudget = 200'000'000;
+constexpr std::uint64_t kBudget = 100'000'000;
 
 /// What a search of order k is expected to take: 16 microseconds at k = 8, 55 at 16 and 160 at 32 were
 /// measured.

@@ -8,6 +8,7 @@
 #include "terrain/flip.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "kernel/assert.hpp"
@@ -108,14 +109,16 @@ class FlipRun {
   }
 
  private:
+  bool is_lower(VertexId u, VertexId v) const noexcept { return rank_[u.index()] < rank_[v.index()]; }
+
   /// The order bucket of the flip of h, with the candidate; k + 1 if it is not to be done.
   unsigned assess(CircleCounter& counter, HalfedgeId h, Candidate& candidate) const {
     const Triangulation& t = outcome_.triangulation;
     if (t.on_hull(h)) return k_ + 1;
     HalfedgeId edge = h;
-    if (surface_.lower(t.apex(t.twin(h)), t.apex(h))) edge = t.twin(h);
+    if (is_lower(t.apex(t.twin(h)), t.apex(h))) edge = t.twin(h);
     const VertexId a = t.origin(edge), b = t.dest(edge), c = t.apex(edge), d = t.apex(t.twin(edge));
-    if (!surface_.lower(c, a) || !surface_.lower(c, b)) return k_ + 1;
+    if (!is_lower(c, a) || !is_lower(c, b)) return k_ + 1;
     const auto at = [&](VertexId v) { return surface_.sites()[v.index()]; };
     if (orient2d_sign(at(d), at(c), at(a)) <= 0 || orient2d_sign(at(d), at(c), at(b)) >= 0) return k_ + 1;
     candidate = {edge, a, b, c, d, counter.count_in_circle(d, c, a, k_), 0};
@@ -176,14 +179,30 @@ class FlipRun {
   /// of the wave has changed again would only have been in vain, and no flip of a wave depends on what an
   /// earlier one of it made possible.
   void collect_sides(unsigned level) {
-    const Triangulation& t = outcome_.triangulation;
-    for (HalfedgeId& side : sides_) {
-      if (!t.on_hull(side)) side = std::min(side, t.twin(side));
-    }
-    std::sort(sides_.begin(), sides_.end());
-    sides_.erase(std::unique(sides_.begin(), sides_.end()), sides_.end());
+    sort_sides();
     collect(sides_, level);
     sides_.clear();
+  }
+
+  /// Sorts the sides and leaves each once. Many are not compared but marked, a bit for each half-edge.
+  void sort_sides() {
+    constexpr std::size_t kWord = 64;
+    const std::size_t words = outcome_.triangulation.halfedge_count() / kWord + 1;
+    if (sides_.size() < words) {
+      std::sort(sides_.begin(), sides_.end());
+      sides_.erase(std::unique(sides_.begin(), sides_.end()), sides_.end());
+      return;
+    }
+    marks_.assign(words, 0);
+    for (const HalfedgeId side : sides_)
+      marks_[side.index() / kWord] |= std::uint64_t{1} << side.index() % kWord;
+    sides_.clear();
+    for (std::size_t i = 0; i < words; ++i) {
+      for (std::uint64_t rest = marks_[i]; rest != 0; rest &= rest - 1) {
+        sides_.emplace_back(static_cast<std::uint32_t>(i * kWord) +
+                            static_cast<std::uint32_t>(std::countr_zero(rest)));
+      }
+    }
   }
 
   bool is_current(const Candidate& candidate) const {
@@ -205,8 +224,10 @@ class FlipRun {
       outcome_.trail.push_back(
           {TrailStep::Kind::flip, level, candidate.c, candidate.d, candidate.a, candidate.b, pit});
     }
-    sides_.insert(sides_.end(), {Triangulation::next(h), Triangulation::prev(h), Triangulation::next(twin),
-                                 Triangulation::prev(twin)});
+    for (const HalfedgeId side : {Triangulation::next(h), Triangulation::prev(h), Triangulation::next(twin),
+                                  Triangulation::prev(twin)}) {
+      if (const HalfedgeId other = t.twin(side); other.valid()) sides_.push_back(std::min(side, other));
+    }
   }
 
   const Surface& surface_;
@@ -217,7 +238,8 @@ class FlipRun {
   PitLedger ledger_;
   std::vector<std::vector<Candidate>> buckets_;
   std::vector<std::pair<std::uint64_t, Candidate>> wave_;
-  std::vector<HalfedgeId> sides_;  // of the quadrilaterals flipped in this wave
+  std::vector<HalfedgeId> sides_;     // of the quadrilaterals flipped in this wave, but for the hull
+  std::vector<std::uint64_t> marks_;  // a bit for each half-edge
   Outcome outcome_;
 };
 
