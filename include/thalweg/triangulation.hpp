@@ -207,7 +207,8 @@ class THALWEG_EXPORT Triangulation {
     if (page == kShared) return (base_->*array)[h.index()];
     return (this->*array)[page * std::size_t{kPage} + h.index() % kPage];
   }
-  std::size_t own_place(HalfedgeId h);
+  std::size_t own_place(HalfedgeId h) { return is_revision() ? place_in_revision(h) : h.index(); }
+  std::size_t place_in_revision(HalfedgeId h);
   void claim(HalfedgeId h);
   void set_origin(HalfedgeId h, VertexId v) { origin_[own_place(h)] = v.index(); }
   void set_twin(HalfedgeId h, HalfedgeId twin) { twin_[own_place(h)] = twin.index(); }

@@ -135,9 +135,8 @@ Triangulation Triangulation::revision_of(const Triangulation& base) {
   return result;
 }
 
-/// Where the numbers of h are in the arrays of this triangulation; a revision copies their page first.
-std::size_t Triangulation::own_place(HalfedgeId h) {
-  if (!is_revision()) return h.index();
+/// Where the numbers of h are in the arrays of a revision, which copies their page first.
+std::size_t Triangulation::place_in_revision(HalfedgeId h) {
   std::uint32_t& page = pages_[h.index() / kPage];
   if (page == kShared) {
     const std::size_t begin = h.index() / kPage * std::size_t{kPage};
@@ -242,8 +241,8 @@ HalfedgeId Triangulation::flip(HalfedgeId h) {
   link(ad_old, db);
   link(db_old, bc);
 
-  // Each of the four corners may have pointed at a half-edge that has another origin now. On the hull it points
-  // at the half-edge there, which has moved with it.
+  // Each of the four corners may have pointed at a half-edge that has another origin now. On the hull it
+  // points at the half-edge there, which has moved with it.
   const auto move_outgoing = [&](VertexId v, HalfedgeId from, HalfedgeId or_from, HalfedgeId to) {
     std::uint32_t& out = outgoing_[v.index()];
     if (out == from.index() || out == or_from.index()) out = to.index();

@@ -106,9 +106,9 @@ void Reach::invert(const DelaunayGraph& graph) {
 }
 
 /// A level that more than k of the inverted sites come up to in all directions of a sector, 0 if none is
-/// found: the highest by halving, which compilers turn into comparisons of four sites at a time.
+/// found: near the highest, by halving, which compilers turn into comparisons of four sites at a time.
 float Reach::level(std::size_t sector, unsigned k) {
-  constexpr int kHalvings = 8;
+  constexpr float kFinest = 0x1p-12F;  // beyond 4096 times the distance of a neighbour there is no bound
   const std::size_t count = x_.size(), next = (sector + 1) % kSectors;
   const float dx = kCosines[sector], dy = kCosines[(sector + 12) % kSectors];
   const float ex = kCosines[next], ey = kCosines[(next + 12) % kSectors];
@@ -121,8 +121,12 @@ float Reach::level(std::size_t sector, unsigned k) {
     for (std::size_t i = 0; i < count; ++i) above += value_[i] >= level ? 1u : 0u;
     return above;
   };
-  float low = 0, high = *std::max_element(value_.begin(), value_.end());
-  for (int i = 0; i < kHalvings; ++i) {
+  float low = 0, high = 1;
+  while (come_up_to(high) > k) {
+    low = high;
+    high *= 2;
+  }
+  while (high - low > low / 32 && high > kFinest) {
     const float middle = (low + high) / 2;
     (come_up_to(middle) > k ? low : high) = middle;
   }

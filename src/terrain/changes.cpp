@@ -85,19 +85,24 @@ std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulat
   return orders;
 }
 
-double min_angle_deg(const Surface& surface, const Triangulation& triangulation) {
+double min_angle_deg(const Surface& surface, const Triangulation& triangulation, unsigned threads) {
   // The cotangent falls as the angle grows, so the largest one belongs to the smallest angle.
-  double largest_cotangent = -std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < triangulation.face_count(); ++i) {
-    const Triangle t = triangulation.corners(FaceId(i));
-    for (std::uint32_t corner = 0; corner < 3; ++corner) {
-      const Point2 a = surface.sites()[t[corner].index()];
-      const Point2 b = surface.sites()[t[(corner + 1) % 3].index()];
-      const Point2 c = surface.sites()[t[(corner + 2) % 3].index()];
-      largest_cotangent = std::max(largest_cotangent, cotangent(a, b, c));
-    }
-  }
-  return std::atan2(1.0, largest_cotangent) * (180 / std::numbers::pi);
+  constexpr std::size_t kChunk = 1 << 14;
+  const std::size_t count = triangulation.face_count();
+  std::vector<double> largest((count + kChunk - 1) / kChunk, -std::numeric_limits<double>::infinity());
+  parallel_chunks(count, kChunk, threads, [&] {
+    return [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Triangle t = triangulation.corners(FaceId(static_cast<std::uint32_t>(i)));
+        const auto at = [&](std::size_t corner) { return surface.sites()[t[corner % 3].index()]; };
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          largest[begin / kChunk] =
+              std::max(largest[begin / kChunk], cotangent(at(corner), at(corner + 1), at(corner + 2)));
+        }
+      }
+    };
+  });
+  return std::atan2(1.0, *std::max_element(largest.begin(), largest.end())) * (180 / std::numbers::pi);
 }
 
 }  // namespace thalweg::detail

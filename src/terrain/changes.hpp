@@ -30,6 +30,7 @@ std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulat
                                         std::uint64_t& counts);
 
 /// The smallest angle of any triangle, in degrees. Rounded: for people, not for decisions.
-double min_angle_deg(const Surface& surface, const Triangulation& triangulation);
+/// On all threads.
+double min_angle_deg(const Surface& surface, const Triangulation& triangulation, unsigned threads);
 
 }  // namespace thalweg::detail

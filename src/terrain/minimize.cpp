@@ -131,8 +131,8 @@ void describe(const Surface& surface, Outcome& outcome, std::span<const detail::
   const detail::EdgeChanges edges = detail::edge_changes(surface, t, changed);
   result.edges_changed = edges.changed;
   result.non_delaunay_edges = edges.non_delaunay;
-  result.min_angle_before_deg = detail::min_angle_deg(surface, surface.delaunay());
-  result.min_angle_after_deg = detail::min_angle_deg(surface, t);
+  result.min_angle_before_deg = detail::min_angle_deg(surface, surface.delaunay(), watch.threads);
+  result.min_angle_after_deg = detail::min_angle_deg(surface, t, watch.threads);
   result.flips = outcome.flips;
   result.insertions = outcome.insertions;
 }
