@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -95,14 +96,20 @@ ExitCode run(int argc, char** argv, Console& console) {
   return ExitCode::usage;
 }
 
+ExitCode out_of_memory(Console& console) {
+  return console.fail(
+      ExitCode::resources,
+      "out of memory: free some, or cut the points into tiles (thalweg info estimates the need)");
+}
+
 ExitCode run_guarded(int argc, char** argv) {
   Console console;
   try {
     return run(argc, argv, console);
   } catch (const std::bad_alloc&) {
-    return console.fail(
-        ExitCode::resources,
-        "out of memory: free some, or cut the points into tiles (thalweg info estimates the need)");
+    return out_of_memory(console);
+  } catch (const std::length_error&) {  // more than there are addresses for, where these have 32 bits
+    return out_of_memory(console);
   } catch (const std::exception& error) {
     return console.fail(ExitCode::internal, std::string("internal error: ") + error.what());
   }

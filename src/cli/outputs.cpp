@@ -105,8 +105,11 @@ std::optional<Error> OutputBatch::add(const std::string& path, const Write& writ
   Result<io::OutputFile> file = io::OutputFile::open(path, options_);
   if (!file) return file.error();
   if (auto error = write(*file)) return error;
+  const bool in_place = written_in_place(path);
+  // All files have found room on the disk before the first one gets its name.
+  if (!in_place) file->flush();
   if (file->error()) return file->error();
-  (written_in_place(path) ? streams_ : files_).push_back(std::move(*file));
+  (in_place ? streams_ : files_).push_back(std::move(*file));
   return std::nullopt;
 }
 

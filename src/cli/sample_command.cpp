@@ -51,7 +51,7 @@ std::vector<Point3> draw(const io::Grid& grid, std::uint64_t cells, std::uint64_
                          std::uint64_t seed) {
   Random random(seed);
   std::vector<Point3> points;
-  points.reserve(wanted);
+  points.reserve(static_cast<std::size_t>(wanted));
   for (std::uint32_t row = 0; row < grid.rows; ++row) {
     for (std::uint32_t column = 0; column < grid.columns && points.size() < wanted; ++column) {
       const double z = grid.value(row, column);

@@ -44,6 +44,9 @@ class OutputFile {
 
   void write(std::string_view bytes);
 
+  /// Hands everything written so far to the system, so that a full disk shows in `error`.
+  void flush();
+
   /// The first failure, if any. Complexity: O(1); loops may look at it to stop early.
   const std::optional<Error>& error() const noexcept { return error_; }
 
@@ -60,7 +63,6 @@ class OutputFile {
  private:
   OutputFile() = default;
 
-  void flush();
   void put(const char* bytes, std::size_t count);
   void fail(ErrorCode code, int error_number);
   void discard() noexcept;

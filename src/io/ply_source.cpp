@@ -86,7 +86,8 @@ std::uint64_t BinarySource::take_vertices(const PlyElement& element, std::vector
   const std::size_t stride = offset;
   for (std::uint64_t row = 0; row < element.count;) {
     const std::string_view bytes = window(stride);
-    const std::size_t count = std::min<std::uint64_t>(bytes.size() / stride, element.count - row);
+    const auto count =
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size() / stride, element.count - row));
     if (count == 0) return row;
     points.resize(static_cast<std::size_t>(row) + count);
     const std::span<Point3> block = std::span(points).subspan(static_cast<std::size_t>(row));
@@ -108,7 +109,8 @@ std::uint64_t BinarySource::take_triangles(const PlyElement& element, std::uint6
   const std::size_t stride = row_size(element, 3);
   for (std::uint64_t row = 0; row < element.count;) {
     const std::string_view bytes = window(stride);
-    const std::size_t here = std::min<std::uint64_t>(bytes.size() / stride, element.count - row);
+    const auto here =
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size() / stride, element.count - row));
     const std::size_t count = count_alike(bytes.data() + list->offset, stride, here, 3);
     if (count == 0) return row;
     triangles.resize(static_cast<std::size_t>(row) + count);
@@ -141,7 +143,8 @@ std::uint64_t BinarySource::skip_rows(const PlyElement& element) {
     if (length < 0) return row;
     const std::size_t stride = row_size(element, static_cast<std::size_t>(length));
     bytes = window(stride);
-    const std::size_t here = std::min<std::uint64_t>(bytes.size() / stride, element.count - row);
+    const auto here =
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size() / stride, element.count - row));
     const std::size_t count = list ? count_alike(bytes.data() + list->offset, stride, here, length) : here;
     if (count == 0) return row;
     window_.advance(count * stride);
@@ -165,7 +168,7 @@ bool BinarySource::whole(PlyType type, std::int64_t& value, std::string_view) {
 
 bool BinarySource::skip(PlyType type, std::int64_t count) {
   for (std::uint64_t left = static_cast<std::uint64_t>(count) * size_of(type); left > 0;) {
-    const std::size_t here = std::min<std::uint64_t>(window(1).size(), left);
+    const auto here = static_cast<std::size_t>(std::min<std::uint64_t>(window(1).size(), left));
     if (here == 0) return cut_short();
     window_.advance(here);
     left -= here;

@@ -278,7 +278,7 @@ class TableReader {
       if (i > 0) count += others_[i].size();
     }
     read_ += bytes;
-    const std::size_t next = count + count / (read_ / bytes) + 1;
+    const std::size_t next = count + static_cast<std::size_t>(count / (read_ / bytes)) + 1;
     if (next > table_.points.capacity()) reserve_large(table_.points, next + expected_rows(count));
     for (std::size_t i = 1; i < parts.size(); ++i) {
       table_.points.insert(table_.points.end(), others_[i].begin(), others_[i].end());

@@ -41,7 +41,7 @@ template <class Height>
 std::vector<Point3> over_uniform_places(std::uint64_t count, Random& random, Height&& height) {
   const double side = side_of(count);
   std::vector<Point3> points;
-  points.reserve(count);
+  points.reserve(static_cast<std::size_t>(count));
   while (points.size() < count) {
     const Point2 p = uniform_place(random, side);
     points.push_back({p.x, p.y, height(p)});
@@ -115,7 +115,7 @@ std::vector<Point3> ring(std::uint64_t count, Random& random) {
   const double spacing = 3 * static_cast<double>(kRadius);
   const FractalSurface surface(random.next(), spacing, spacing / 64, kRoughness);
   std::vector<Point3> points;
-  points.reserve(count);
+  points.reserve(static_cast<std::size_t>(count));
   const auto add = [&](std::uint64_t r, std::pair<std::int64_t, std::int64_t> p) {
     const std::uint64_t column = r % columns, row = r / columns;
     const double x = spacing * static_cast<double>(column) + static_cast<double>(p.first);
@@ -126,7 +126,7 @@ std::vector<Point3> ring(std::uint64_t count, Random& random) {
     // Without a common factor with 324: a few points are spread over the circle, and all are met.
     constexpr std::uint64_t kStep = 109;
     for (std::uint64_t i = 0; i < kOnCircle && points.size() < count; ++i)
-      add(r, circle[i * kStep % kOnCircle]);
+      add(r, circle[static_cast<std::size_t>(i * kStep % kOnCircle)]);
     std::vector<std::pair<std::int64_t, std::int64_t>> taken;
     while (taken.size() < kOnCircle && points.size() < count) {
       const auto p = near_circle(random);
@@ -146,7 +146,7 @@ std::vector<Point3> grid(std::uint64_t count, Random& random) {
   const auto side = static_cast<double>(columns);
   const FractalSurface surface(random.next(), std::fmax(side / 2, 1), 1, kRoughness);
   std::vector<Point3> points;
-  points.reserve(count);
+  points.reserve(static_cast<std::size_t>(count));
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t column = i % columns, row = i / columns;
     const auto x = static_cast<double>(column), y = static_cast<double>(row);
@@ -165,7 +165,7 @@ std::vector<Point3> lidar(std::uint64_t count, Random& random) {
   const double side = kAlong * static_cast<double>(on_line);
   const FractalSurface surface = ground(random, side, 2);
   std::vector<Point3> points;
-  points.reserve(count);
+  points.reserve(static_cast<std::size_t>(count));
   const auto jitter = [&] { return kJitter * (2 * random.unit() - 1); };
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t place = i % on_line, scan = i / on_line;

@@ -72,7 +72,7 @@ Result<TlwHeader> parse_header(const InputFile& input) {
   if (bytes.size() >= kHeaderSize) {
     header.points = little_endian_number(bytes.data() + 16, 8);
     header.triangles = little_endian_number(bytes.data() + 24, 8);
-    header.name = little_endian_number(bytes.data() + 32, 4);
+    header.name = static_cast<std::size_t>(little_endian_number(bytes.data() + 32, 4));
   }
   if (auto fault = find_fault(bytes, header)) return input.error(ErrorCode::malformed, *fault);
   if (auto excess = find_excess(input, header.points)) return std::move(*excess);
@@ -85,7 +85,7 @@ Result<TlwHeader> parse_header(const InputFile& input) {
 }
 
 Result<std::string> read_name(InputFile& input, const TlwHeader& header) {
-  std::string name(header.padded_name(), '\0');
+  std::string name(static_cast<std::size_t>(header.padded_name()), '\0');
   const Result<std::size_t> got = input.read(name.data(), name.size());
   if (!got) return got.error();
   if (*got < name.size())

@@ -6,14 +6,18 @@
 #include <cstdint>
 #include <limits>
 
-#if defined(__FAST_MATH__)
-#error "thalweg needs IEEE 754 arithmetic: compile without -ffast-math"
+// Every sign rests on each operation being rounded once, as written. clang++ has no macros for the single
+// parts of -ffast-math but a pragma against the one that matters.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0)
+#error "thalweg needs IEEE 754 arithmetic: compile without -ffast-math and its parts"
 #endif
 #if FLT_EVAL_METHOD != 0
 #error "thalweg needs double arithmetic without excess precision: on x86-32 compile with -msse2 -mfpmath=sse"
 #endif
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
+#pragma clang fp reassociate(off)
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off")
 #endif

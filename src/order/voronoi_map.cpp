@@ -111,10 +111,12 @@ VoronoiMap next_order(const VoronoiMap& map, std::span<const Point2> sites, unsi
   std::vector<std::uint64_t> starts(chunks.size() + 1, result.old_count);
   for (std::size_t i = 0; i < chunks.size(); ++i) starts[i + 1] = starts[i] + chunks[i].vertices;
   if (starts.back() >= kNoHalfedge / 3) return {};
-  result.corner.reserve(3 * starts.back());
-  result.corner.assign(map.corner.begin() + 3 * std::ptrdiff_t{map.old_count}, map.corner.end());
-  result.corner.resize(3 * starts.back());
-  result.twin.assign(3 * starts.back(), kNoHalfedge);
+  const auto halfedges = static_cast<std::size_t>(3 * starts.back());
+  result.corner.reserve(halfedges);
+  result.corner.assign(map.corner.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{map.old_count}),
+                       map.corner.end());
+  result.corner.resize(halfedges);
+  result.twin.assign(halfedges, kNoHalfedge);
 
   parallel_chunks(chunks.size(), 1, threads, [&] {
     return [&, filler = HoleFiller(sites), sides = std::vector<HoleSide>()](std::size_t begin,

@@ -71,9 +71,11 @@ file(WRITE ${OUTPUT}/thalweg.cpp
 //
 ${license}
 
-// Before anything else, so that it holds for every function: no fused multiply-add, whatever the flags.
+// Before anything else, so that it holds for every function: no fused multiply-add, no other order of operations,
+// whatever the flags.
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
+#pragma clang fp reassociate(off)
 #elif defined(__GNUC__)
 #pragma GCC optimize(\"fp-contract=off\")
 #endif
