@@ -82,7 +82,7 @@ class Surroundings {
     std::fclose(std::exchange(stderr, error_));
     ::free(text_);
     std::fflush(stdout);
-    for (const auto [kept, number] : {std::pair{in_, 0}, {out_, 1}}) {
+    for (const auto& [kept, number] : {std::pair{in_, 0}, {out_, 1}}) {
       if (kept >= 0) ::dup2(kept, number);
       ::close(kept >= 0 ? kept : number);
     }
