@@ -3,12 +3,9 @@
 /// inserted edges are there, undone ones leave what was before. Which edits follows from the first two bytes.
 #include <vector>
 
-#include "fuzz_input.hpp"
 #include "kernel/edge_insertion.hpp"
-#include "support/brute.hpp"
+#include "mesh.hpp"
 #include "support/random.hpp"
-#include "thalweg/delaunay.hpp"
-#include "thalweg/predicates.hpp"
 #include "thalweg/validate.hpp"
 
 namespace {
@@ -29,24 +26,8 @@ struct Twins {
   }
 };
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const Triangulation& t) {
-  std::vector<std::array<std::uint32_t, 3>> result;
-  for (std::uint32_t f = 0; f < t.face_count(); ++f) {
-    const auto [a, b, c] = t.corners(FaceId(f));
-    result.push_back({a.index(), b.index(), c.index()});
-  }
-  return result;
-}
-
-bool flippable(const Triangulation& t, const std::vector<Point2>& sites, HalfedgeId h) {
-  if (t.on_hull(h)) return false;
-  const auto at = [&](VertexId v) { return sites[v.index()]; };
-  const Point2 a = at(t.origin(h)), b = at(t.dest(h)), c = at(t.apex(h)), d = at(t.apex(t.twin(h)));
-  return thalweg::orient2d(c, d, b) > 0 && thalweg::orient2d(d, c, a) > 0;
-}
-
 void flip(Twins& twins, const std::vector<Point2>& sites, HalfedgeId h) {
-  if (!flippable(twins.copy, sites, h)) return;
+  if (!fuzz::flippable(twins.copy, sites, h)) return;
   const VertexId c = twins.copy.apex(h), d = twins.copy.apex(twins.copy.twin(h));
   const HalfedgeId flipped = twins.copy.flip(h);
   fuzz::check(flipped == twins.revision.flip(h), "a flip of a revision gives the same half-edge", sites);
@@ -103,7 +84,8 @@ void insert(Twins& twins, const std::vector<Point2>& sites, VertexId p, VertexId
 
 void check_sound(const Twins& twins, const Triangulation& base, const std::vector<Point2>& sites) {
   fuzz::check(!twins.copy.find_fault() && !twins.revision.find_fault(), "links are sound", sites);
-  fuzz::check(thalweg::find_faults(sites, triangles_of(twins.copy)).empty(), "it is a triangulation", sites);
+  fuzz::check(thalweg::find_faults(sites, fuzz::triangles_of(twins.copy)).empty(), "it is a triangulation",
+              sites);
   const std::vector<FaceId> revised = twins.revision.revised_faces();
   for (std::uint32_t f = 0; f < base.face_count(); ++f) {
     const bool differs = base.corners(FaceId(f)) != twins.copy.corners(FaceId(f));
@@ -118,15 +100,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::Input input(data, size);
   const std::uint64_t first = input.byte();
   support::Random random(256 * first + input.byte());
-  const std::vector<Point2> points = fuzz::take_points(input, 32);
-  if (!fuzz::all_finite(points)) return 0;
-  std::vector<Point2> sites;
-  for (const std::uint32_t row : support::distinct_rows(points)) sites.push_back(points[row]);
+  const std::vector<Point2> sites = fuzz::distinct_sites(fuzz::take_points(input, 32));
   const auto delaunay = thalweg::delaunay(sites);
   if (!delaunay) return 0;
   Triangulation base = *delaunay;
   Twins twins = {base, Triangulation::revision_of(base)};
-  for (int i = 0; i < 24; ++i) {
+  for (std::uint64_t edits = first < 240 ? 1 + first % 6 : 24; edits > 0; --edits) {
     if (random.below(2) == 0) {
       flip(twins, sites, HalfedgeId(random.below(base.halfedge_count())));
     } else {

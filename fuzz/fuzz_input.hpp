@@ -73,47 +73,87 @@ inline thalweg::Point3 parse_row(const std::string& row) {
   return p;
 }
 
-/// At most `limit` points in one of two domains, chosen by the first byte, or from the rows of a text.
-/// Even: two bytes a point, on a 16 x 16 grid with 16 elevations: duplicates, collinear runs, cocircular
-/// sites and flats all the time. Odd: 24 bytes a point, raw doubles: every exponent, denormals, NaN.
-inline std::vector<thalweg::Point3> take_terrain(Input& input, std::size_t limit) {
+/// Which points an input holds, and how many at most: its first byte says.
+///
+///     grid     a byte a place, on a 16 x 16 grid: duplicates, collinear runs, cocircular sites all the time
+///     nudged   one more byte, which moves the place by 0..3 units in the last place each way; beside 0 that
+///              means by the least denormals
+///     wide     two bytes a coordinate, whole numbers: general position
+///     raw      eight bytes a coordinate, any double: every exponent, denormals, NaN
+///
+/// Most mistakes show with 3..12 points, and those are quick; 0 and 1 alone allow as many as the target
+/// takes.
+class Domain {
+ public:
+  Domain(std::uint8_t choice, std::size_t most)
+      : kind_(kKinds[choice % 16]),
+        limit_(choice < 2 ? most
+                          : std::min<std::size_t>(most, 3 + choice / 16 % (kind_ == Kind::raw ? 4 : 10))) {}
+
+  std::size_t limit() const { return limit_; }
+
+  thalweg::Point2 place(Input& input) const {
+    if (kind_ == Kind::grid || kind_ == Kind::nudged) {
+      const std::uint8_t cell = input.byte(), steps = kind_ == Kind::nudged ? input.byte() : std::uint8_t{0};
+      return {nudged(cell % 16, steps % 4), nudged(cell / 16, steps / 4 % 4)};
+    }
+    const double x = coordinate(input);
+    return {x, coordinate(input)};
+  }
+
+  double elevation(Input& input) const {
+    return kind_ == Kind::raw ? input.number() : static_cast<double>(input.byte() % 16);
+  }
+
+ private:
+  enum class Kind { grid, nudged, wide, raw };
+  // Raw doubles are rare, because slow: hardly a sign of theirs is found but by the longest integers.
+  static constexpr Kind kKinds[16] = {
+      Kind::grid, Kind::raw,    Kind::grid, Kind::wide,   Kind::grid, Kind::wide, Kind::grid,   Kind::wide,
+      Kind::grid, Kind::nudged, Kind::grid, Kind::nudged, Kind::grid, Kind::wide, Kind::nudged, Kind::nudged};
+
+  double coordinate(Input& input) const {
+    if (kind_ == Kind::raw) return input.number();
+    const int high = input.byte();
+    return 256 * high + input.byte() - 32768;
+  }
+
+  /// The value a few units in its last place further.
+  static double nudged(double value, int steps) {
+    for (; steps > 0; --steps) value = std::nextafter(value, 16);
+    return value;
+  }
+
+  Kind kind_;
+  std::size_t limit_;
+};
+
+/// At most `most` points with elevations, as the first byte says or from the rows of a text. But for raw
+/// doubles there are 16 elevations: flats.
+inline std::vector<thalweg::Point3> take_terrain(Input& input, std::size_t most) {
   std::vector<thalweg::Point3> points;
   if (input.is_text()) {
     input.line();
-    while (!input.empty() && points.size() < limit) points.push_back(parse_row(input.line()));
+    while (!input.empty() && points.size() < most) points.push_back(parse_row(input.line()));
     return points;
   }
-  const bool raw = input.byte() % 2 == 1;
-  while (!input.empty() && points.size() < limit) {
-    if (raw) {
-      const double x = input.number(), y = input.number();
-      points.push_back({x, y, input.number()});
-    } else {
-      const std::uint8_t cell = input.byte();
-      points.push_back({static_cast<double>(cell % 16), static_cast<double>(cell / 16),
-                        static_cast<double>(input.byte() % 16)});
-    }
+  const Domain domain(input.byte(), most);
+  while (!input.empty() && points.size() < domain.limit()) {
+    const thalweg::Point2 p = domain.place(input);
+    points.push_back({p.x, p.y, domain.elevation(input)});
   }
   return points;
 }
 
-/// The same without elevations: a byte a point on the grid, 16 bytes as raw doubles.
-inline std::vector<thalweg::Point2> take_points(Input& input, std::size_t limit) {
+/// The same without elevations.
+inline std::vector<thalweg::Point2> take_points(Input& input, std::size_t most) {
   std::vector<thalweg::Point2> points;
   if (input.is_text()) {
-    for (const thalweg::Point3& p : take_terrain(input, limit)) points.push_back({p.x, p.y});
+    for (const thalweg::Point3& p : take_terrain(input, most)) points.push_back({p.x, p.y});
     return points;
   }
-  const bool raw = input.byte() % 2 == 1;
-  while (!input.empty() && points.size() < limit) {
-    if (raw) {
-      const double x = input.number();
-      points.push_back({x, input.number()});
-    } else {
-      const std::uint8_t cell = input.byte();
-      points.push_back({static_cast<double>(cell % 16), static_cast<double>(cell / 16)});
-    }
-  }
+  const Domain domain(input.byte(), most);
+  while (!input.empty() && points.size() < domain.limit()) points.push_back(domain.place(input));
   return points;
 }
 
