@@ -17,8 +17,9 @@ def measured(build):
     for data in sorted(build.rglob("*.gcda")):
         done = subprocess.run(["gcov", "--json-format", "--stdout", str(data)], check=True, capture_output=True, cwd=data.parent)
         for text in done.stdout.splitlines():
-            for file in json.loads(text)["files"]:
-                path = (data.parent / file["file"]).resolve()
+            unit = json.loads(text)
+            for file in unit["files"]:
+                path = (Path(unit["current_working_directory"]) / file["file"]).resolve()
                 for line in file["lines"]:
                     place = path, line["line_number"]
                     counts[place] = counts.get(place, 0) + line["count"]

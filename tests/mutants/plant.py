@@ -359,13 +359,13 @@ class File:
     # -- rewriting
 
     def rewritten(self, first_number, dropped):
-        """The source with every site but those dropped, and its mutants as (number, line, column, what)."""
+        """The source with every site but those dropped, its mutants as (number, line, column, what, site), and the
+        number after the last. Those dropped keep their numbers, so that no other file changes with them."""
         numbers, listed, n = {}, [], first_number
         for line, column, what, site in self.mutants:
-            if site in dropped:
-                continue
-            numbers.setdefault(site, n)
-            listed.append((n, line, column, what, site))
+            if site not in dropped:
+                numbers.setdefault(site, n)
+                listed.append((n, line, column, what, site))
             n += 1
         out, at = [], 0
         for start, end, _, text, site in sorted(self.edits, key=lambda e: (e[0], e[2])):
