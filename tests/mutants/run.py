@@ -163,27 +163,42 @@ def run_tests(tree, suite, tests, mutant, seconds, log=None):
     return "fails" if code > 0 else signal.Signals(-code).name
 
 
+def listed(executable):
+    names, group = [], ""
+    for line in subprocess.run([executable, "--gtest_list_tests"], capture_output=True, text=True).stdout.splitlines():
+        name = line.split("#")[0].strip()
+        if not line.startswith(" "):
+            group = name
+        else:
+            names.append(group + name)
+    return names
+
+
 def record(folder, tree, suites):
-    """Runs the tests without a mutant: their times and what they reach."""
+    """Runs the tests without a mutant: their times and what they reach. Tests that are known are not run again, unless
+    reached_<suite>.json is deleted."""
     tests = {}
     for suite in suites:
         executable = tree / "build/tests" / f"test_{suite}"
         path = folder / f"reached_{suite}.json"
-        if not path.exists() or path.stat().st_mtime < executable.stat().st_mtime:
+        known = read(path, {})
+        names = listed(executable)
+        reached = {name: known[name] for name in names if name in known}
+        unknown = [name for name in names if name not in known]
+        if unknown:
             log = folder / f"log_{suite}.txt"
             log.unlink(missing_ok=True)
             started = time.monotonic()
-            run_tests(tree, suite, ["*"], "record", 1000, log)
-            reached = {}
+            run_tests(tree, suite, unknown, "record", 1000, log)
             for line in log.read_text().splitlines():
                 name, ms, *numbers, state = line.split()
                 if state != "passed":
                     sys.exit(f"test_{suite}: {name} fails without a mutant")
                 reached[name] = dict(ms=int(ms), reached=[int(n) for n in numbers if n[0] != "-"],
                                      no_meaning=[-int(n) for n in numbers if n[0] == "-"])
-            write(path, reached)
-            print(f"test_{suite}: {len(reached)} tests, {time.monotonic() - started:.0f} s", flush=True)
-        for name, t in read(path, {}).items():
+            print(f"test_{suite}: {len(unknown)} tests, {time.monotonic() - started:.0f} s", flush=True)
+        write(path, reached)
+        for name, t in reached.items():
             tests[suite, name] = t
     return tests
 
