@@ -263,18 +263,23 @@ def main():
 
     texts = {name: (ROOT / name).read_text().splitlines() for name in {m["file"] for m in mutants}}
     results_path = folder / "results.json"
+
+    def named(m):
+        return key(m, texts[m["file"]][m["line"] - 1].strip() + f'|{m["line"]}')
+
     results = read(results_path, {})
     chosen = []
     for layer in LAYERS:
-        of_layer = [m for m in mutants if m["file"].startswith(f"src/{layer}/")
-                    and not (m["n"] in no_meaning and m["n"] not in reaching)]
+        of_layer = [m for m in mutants if m["file"].startswith(f"src/{layer}/")]
         random.Random(options.seed).shuffle(of_layer)
+        of_layer = [m for m in of_layer if m["n"] in reaching or m["n"] not in no_meaning]
+        of_layer.sort(key=lambda m: named(m) not in results)  # what was tried before stays in the sample
         chosen.append(of_layer[:options.sample or None])
     # One of each layer in turn, so that a run that is stopped has seen as much of each.
     queue = [m for turn in range(max(map(len, chosen))) for part in chosen for m in part[turn:turn + 1]]
 
     def attempt(m):
-        k = key(m, texts[m["file"]][m["line"] - 1].strip() + f'|{m["line"]}')
+        k = named(m)
         old = results.get(k)
         todo = [t for t in reaching.get(m["n"], []) if tests[t]["ms"] <= options.slowest 
                 and (not old or f"{t[0]}/{t[1]}" not in old["passed"])]
