@@ -1,5 +1,6 @@
-/// Linked to each test executable of a planted tree: after each test, a line to the file THALWEG_MUTANT_LOG with
-/// its name, its time in milliseconds and the mutants that it reached (with a minus sign: that have no meaning).
+/// Linked to each test executable of a planted tree: after each test, a line to the file THALWEG_MUTANT_LOG
+/// with its name, its time in milliseconds and the mutants that it reached (with a minus sign: that have no
+/// meaning).
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-/// What the planted sources are compiled with: each place that can be mutated asks here, at run time, whether its
-/// mutant is on. Operators are replaced without looking for the ends of their operands: `a < b` becomes
+/// What the planted sources are compiled with: each place that can be mutated asks here, at run time, whether
+/// its mutant is on. Operators are replaced without looking for the ends of their operands: `a < b` becomes
 /// `a < mutant::Less<17>{} < b`, two operators of the same precedence, of which the first only remembers a.
 #pragma once
 
@@ -31,35 +31,35 @@ constexpr void meaningless() noexcept {
   if (state[N] != 0) has_no_meaning(N);
 }
 
-// MUTANT_INFIX(NAME, HOOK, COUNT, FIRST, SECOND): `a HOOK NAME<N>{} HOOK b` is that without NAME, or a FIRST b
-// while mutant N is on, or a SECOND b while mutant N + 1 is and COUNT is 2.
-#define MUTANT_INFIX(NAME, HOOK, COUNT, FIRST, SECOND)                                                \
-  template <int N>                                                                                    \
-  struct NAME {};                                                                                     \
-  template <int N, class A>                                                                           \
-  struct NAME##Left {                                                                                 \
-    A&& a;                                                                                            \
-  };                                                                                                  \
-  template <int N, class A>                                                                           \
-  constexpr NAME##Left<N, A> operator HOOK(A&& a, NAME<N>) noexcept {                                 \
-    return {static_cast<A&&>(a)};                                                                     \
-  }                                                                                                   \
-  template <int N, class A, class B>                                                                  \
-  constexpr auto operator HOOK(NAME##Left<N, A> left, B&& b) {                                        \
-    using Result = std::decay_t<decltype(static_cast<A&&>(left.a) HOOK static_cast<B&&>(b))>;         \
-    if constexpr (requires { Result(static_cast<A&&>(left.a) FIRST static_cast<B&&>(b)); }) {         \
-      if (on<N>()) return Result(static_cast<A&&>(left.a) FIRST static_cast<B&&>(b));                 \
-    } else {                                                                                          \
-      meaningless<N>();                                                                               \
-    }                                                                                                 \
-    if constexpr (COUNT == 2) {                                                                       \
-      if constexpr (requires { Result(static_cast<A&&>(left.a) SECOND static_cast<B&&>(b)); }) {      \
-        if (on<N + 1>()) return Result(static_cast<A&&>(left.a) SECOND static_cast<B&&>(b));          \
-      } else {                                                                                        \
-        meaningless<N + 1>();                                                                         \
-      }                                                                                               \
-    }                                                                                                 \
-    return Result(static_cast<A&&>(left.a) HOOK static_cast<B&&>(b));                                 \
+// MUTANT_INFIX(NAME, HOOK, COUNT, FIRST, SECOND): `a HOOK NAME<N>{} HOOK b` is that without NAME, or a FIRST
+// b while mutant N is on, or a SECOND b while mutant N + 1 is and COUNT is 2.
+#define MUTANT_INFIX(NAME, HOOK, COUNT, FIRST, SECOND)                                           \
+  template <int N>                                                                               \
+  struct NAME {};                                                                                \
+  template <int N, class A>                                                                      \
+  struct NAME##Left {                                                                            \
+    A&& a;                                                                                       \
+  };                                                                                             \
+  template <int N, class A>                                                                      \
+  constexpr NAME##Left<N, A> operator HOOK(A&& a, NAME<N>) noexcept {                            \
+    return {static_cast<A&&>(a)};                                                                \
+  }                                                                                              \
+  template <int N, class A, class B>                                                             \
+  constexpr auto operator HOOK(NAME##Left<N, A> left, B&& b) {                                   \
+    using Result = std::decay_t<decltype(static_cast<A&&>(left.a) HOOK static_cast<B&&>(b))>;    \
+    if constexpr (requires { Result(static_cast<A&&>(left.a) FIRST static_cast<B&&>(b)); }) {    \
+      if (on<N>()) return Result(static_cast<A&&>(left.a) FIRST static_cast<B&&>(b));            \
+    } else {                                                                                     \
+      meaningless<N>();                                                                          \
+    }                                                                                            \
+    if constexpr (COUNT == 2) {                                                                  \
+      if constexpr (requires { Result(static_cast<A&&>(left.a) SECOND static_cast<B&&>(b)); }) { \
+        if (on<N + 1>()) return Result(static_cast<A&&>(left.a) SECOND static_cast<B&&>(b));     \
+      } else {                                                                                   \
+        meaningless<N + 1>();                                                                    \
+      }                                                                                          \
+    }                                                                                            \
+    return Result(static_cast<A&&>(left.a) HOOK static_cast<B&&>(b));                            \
   }
 
 MUTANT_INFIX(Less, <, 2, <=, >=)
@@ -80,29 +80,29 @@ MUTANT_INFIX(Or, |, 1, &, &)
 MUTANT_INFIX(Xor, ^, 1, |, |)
 
 // `a HOOK NAME<N>{} HOOK b` with an assignment for HOOK is taken from the right: the second remembers b.
-#define MUTANT_ASSIGN(NAME, HOOK, OTHER)                                          \
-  template <int N>                                                                \
-  struct NAME {};                                                                 \
-  template <int N, class B>                                                       \
-  struct NAME##Right {                                                            \
-    B&& b;                                                                        \
-  };                                                                              \
-  template <int N, class B>                                                       \
-  constexpr NAME##Right<N, B> operator HOOK(NAME<N>, B&& b) noexcept {            \
-    return {static_cast<B&&>(b)};                                                 \
-  }                                                                               \
-  template <int N, class A, class B>                                              \
-  constexpr A& operator HOOK(A& a, NAME##Right<N, B> right) {                     \
-    if constexpr (requires { a OTHER static_cast<B&&>(right.b); }) {              \
-      if (on<N>()) {                                                              \
-        a OTHER static_cast<B&&>(right.b);                                        \
-        return a;                                                                 \
-      }                                                                           \
-    } else {                                                                      \
-      meaningless<N>();                                                           \
-    }                                                                             \
-    a HOOK static_cast<B&&>(right.b);                                             \
-    return a;                                                                     \
+#define MUTANT_ASSIGN(NAME, HOOK, OTHER)                               \
+  template <int N>                                                     \
+  struct NAME {};                                                      \
+  template <int N, class B>                                            \
+  struct NAME##Right {                                                 \
+    B&& b;                                                             \
+  };                                                                   \
+  template <int N, class B>                                            \
+  constexpr NAME##Right<N, B> operator HOOK(NAME<N>, B&& b) noexcept { \
+    return {static_cast<B&&>(b)};                                      \
+  }                                                                    \
+  template <int N, class A, class B>                                   \
+  constexpr A& operator HOOK(A& a, NAME##Right<N, B> right) {          \
+    if constexpr (requires { a OTHER static_cast<B&&>(right.b); }) {   \
+      if (on<N>()) {                                                   \
+        a OTHER static_cast<B&&>(right.b);                             \
+        return a;                                                      \
+      }                                                                \
+    } else {                                                           \
+      meaningless<N>();                                                \
+    }                                                                  \
+    a HOOK static_cast<B&&>(right.b);                                  \
+    return a;                                                          \
   }
 
 MUTANT_ASSIGN(PlusAssign, +=, -=)
@@ -114,7 +114,8 @@ MUTANT_ASSIGN(OrAssign, |=, &=)
 MUTANT_ASSIGN(ShiftRightAssign, >>=, <<=)
 MUTANT_ASSIGN(ShiftLeftAssign, <<=, >>=)
 
-// `a | True<N>{}` and `True<N>{} | a`: a as bool, or true; `&` and False likewise; `a | Opposite<N>{}`: not a.
+// `a | True<N>{}` and `True<N>{} | a`: a as bool, or true; `&` and False likewise; `a | Opposite<N>{}`: not
+// a.
 template <int N>
 struct True {};
 template <int N>

@@ -352,4 +352,10 @@ TEST(Corollary2, RefusesWhatIsTooLargeOrCollinear) {
   EXPECT_EQ(collinear.error().rows, (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
+TEST(Theorem1, RefusesTooLargeCoordinatesInAnySegment) {
+  const LatticeSegment far = {{std::int64_t{1} << 30, 0}, {0, 1}}, near = {{5, 5}, {6, 7}};
+  expect_refused({far, near}, {0}, "has the coordinate");
+  expect_refused({near, far}, {1}, "has the coordinate");
+}
+
 }  // namespace
