@@ -211,6 +211,33 @@ TEST(Theorem1, TakesCollinearEnds) {
   EXPECT_LT(theorem1_instance(on_one_line)->shields, 24u);
 }
 
+/// Ends in rows a unit apart, so that all the ways along the axes begin with (1, 0), (0, 1), (-1, 0) or (0,
+/// -1).
+TEST(Theorem1, ShieldsThePairsWithNoEndBetween) {
+  const Segments upright = {{{0, 0}, {0, 5}}, {{1, 0}, {1, 4}}, {{2, 0}, {2, 3}}, {{3, 0}, {4, 5}}};
+  Segments lying = upright;
+  for (auto& s : lying) s = {{s.a.y, s.a.x}, {s.b.y, s.b.x}};
+  for (const Segments& segments : {upright, lying}) {
+    std::vector<LatticePoint> ends;
+    for (const auto& s : segments) ends.insert(ends.end(), {s.a, s.b});
+    const auto between = [&](LatticePoint r, LatticePoint p, LatticePoint q) {
+      const LatticePoint u{p.x - r.x, p.y - r.y}, v{q.x - r.x, q.y - r.y};
+      return u.x * v.y == u.y * v.x && u.x * v.x + u.y * v.y < 0;
+    };
+    std::size_t expected = 0;
+    for (std::size_t p = 0; p < ends.size(); ++p) {
+      for (std::size_t q = 0; q < ends.size(); ++q) {
+        if (p / 2 == q / 2) continue;
+        expected += std::ranges::none_of(ends, [&](LatticePoint r) { return between(r, ends[p], ends[q]); });
+      }
+    }
+    const auto instance = theorem1_instance(segments);
+    ASSERT_TRUE(instance) << instance.error().message;
+    EXPECT_EQ(instance->shields, expected);
+    expect_shielded(*instance);
+  }
+}
+
 void expect_refused(const Segments& segments, const std::vector<std::uint32_t>& rows,
                     const std::string& part) {
   const auto instance = theorem1_instance(segments);
@@ -323,6 +350,12 @@ TEST(Corollary2, RefusesWhatIsTooLargeOrCollinear) {
       corollary2_instance(Segments{{{0, 0}, {5, 9}}, {{2, 0}, {7, 3}}, {{40, 0}, {9, 11}}});
   ASSERT_FALSE(collinear);
   EXPECT_EQ(collinear.error().rows, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(Theorem1, RefusesTooLargeCoordinatesInAnySegment) {
+  const LatticeSegment far = {{std::int64_t{1} << 30, 0}, {0, 1}}, near = {{5, 5}, {6, 7}};
+  expect_refused({far, near}, {0}, "has the coordinate");
+  expect_refused({near, far}, {1}, "has the coordinate");
 }
 
 }  // namespace

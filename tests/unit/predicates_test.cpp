@@ -367,4 +367,14 @@ TEST(WideMultiply, HalvesAgreeWithTheMachine) {
   }
 }
 
+/// The lexicographically largest corner, which the tie would lift, included.
+TEST(IncircleCanonical, ZeroOfACornerOfTheTriangle) {
+  const Point2 a{0, 0}, b{4, 0}, c{0, 4};
+  for (const Point2 d : {a, b, c}) {
+    EXPECT_EQ(incircle_canonical(a, b, c, d), 0);
+    EXPECT_EQ(incircle_canonical(b, c, a, d), 0);
+    EXPECT_EQ(incircle_canonical(c, a, b, d), 0);
+  }
+}
+
 }  // namespace

@@ -240,6 +240,10 @@ TEST_F(FindFault, HalfATriangle) {
   EXPECT_EQ(fault(4), "arrays of half-edges differ in length");
 }
 
+TEST_F(FindFault, AnOriginOutOfRange) {
+  EXPECT_EQ(fault(3), "half-edge 5 has an origin out of range");
+}
+
 TEST_F(FindFault, ARepeatedVertex) {
   origin_[5] = 1;
   EXPECT_EQ(fault(4), "face 1 repeats a vertex");
@@ -287,6 +291,16 @@ TEST_F(FindFault, AVertexWithoutItsOutgoingHalfedge) {
   // The only way from outside to a wrong `outgoing`: names that are not distinct, which `renamed` forbids.
   Triangulation t = *make({tri(0, 1, 2)}, 4);
   EXPECT_EQ(std::move(t).renamed(Ids{0, 1, 2, 0}, 4).find_fault(), "vertex 0 has a wrong outgoing half-edge");
+}
+
+TEST_F(FindFault, AnOutgoingHalfedgeThatLeavesFacesOut) {
+  // From the hull, the faces at vertex 1 are met by turning counter-clockwise; half-edge 1 is the last of
+  // them.
+  using thalweg::detail::Array;
+  const Triangulation t = thalweg::detail::linked(Array<std::uint32_t>(origin_.begin(), origin_.end()),
+                                                  Array<std::uint32_t>(twin_.begin(), twin_.end()),
+                                                  Array<std::uint32_t>{0, 1, 2, 5});
+  EXPECT_EQ(t.find_fault(), "vertex 1 is on the hull, but its outgoing half-edge is not");
 }
 
 TEST_F(FindFault, NamesTheFirstOfSeveral) {

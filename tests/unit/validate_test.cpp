@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "oracle/exact_predicates.hpp"
 #include "oracle/terrain.hpp"
 #include "support/cloud.hpp"
 
@@ -172,6 +175,12 @@ TEST(FindFaults, CrossingEdgesOverlap) {
   EXPECT_EQ(found[1].examples[0], "triangle 0 (0, 1, 2) and triangle 1 (1, 2, 3)");
 }
 
+/// Every place is covered twice, and the edges with one side are those of the hull.
+TEST(FindFaults, TwoTriangulationsOfOneSquare) {
+  const Mesh mesh{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
+  EXPECT_EQ(kinds(faults(mesh)), (Kinds{FaultKind::crossing, FaultKind::overlap}));
+}
+
 TEST(FindFaults, VertexInsideAnEdge) {
   // A T-junction: 4 lies on the edge 0 - 2, which the lower triangle keeps whole.
   const Mesh mesh{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}}, {{0, 1, 2}, {0, 4, 3}, {4, 2, 3}}};
@@ -322,6 +331,64 @@ RC_GTEST_PROP(FindFaultsLaws, GeometricFaultsAreReal, ()) {
     }
   }
   RC_ASSERT(has(FaultKind::crossing) == crossing);
+}
+
+/// Whether a triangle covers the places a little to the right of a -> b next to `at`, one of the two; for
+/// coordinates of few digits.
+bool covered_on_the_right(const Mesh& mesh, Point2 a, Point2 b, Point2 at) {
+  const Point2 way{b.x - a.x, b.y - a.y};
+  const double along = at == a ? 1e-3 : -1e-3, aside = 1e-6;
+  const Point2 p{at.x + along * way.x + aside * way.y, at.y + along * way.y - aside * way.x};
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Corners& t) {
+    const Point2 u = mesh.points[t[0]], v = mesh.points[t[1]], w = mesh.points[t[2]];
+    return oracle::orient2d(u, v, p) > 0 && oracle::orient2d(v, w, p) > 0 && oracle::orient2d(w, u, p) > 0;
+  });
+}
+
+/// Holes among triangles that lie over each other: next to edges of more triangles on one side than on the
+/// other.
+RC_GTEST_PROP(FindFaultsLaws, HolesBesideOverlapsAreReal, ()) {
+  const auto pick = [](std::uint32_t size) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint32_t>(0, size));
+  };
+  Mesh mesh = grid(2, 2);
+  for (std::uint32_t count = pick(6); count > 0; --count) {
+    mesh.triangles.erase(mesh.triangles.begin() + pick(static_cast<std::uint32_t>(mesh.triangles.size())));
+  }
+  for (std::uint32_t count = 1 + pick(8); count > 0;) {
+    const Corners t = {pick(9), pick(9), pick(9)};
+    if (oracle::orient2d(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) <= 0) continue;
+    mesh.triangles.push_back(oracle::rotated(t));
+    --count;
+  }
+  for (Corners& t : mesh.triangles) t = oracle::rotated(t);
+  std::sort(mesh.triangles.begin(), mesh.triangles.end());
+  mesh.triangles.erase(std::unique(mesh.triangles.begin(), mesh.triangles.end()), mesh.triangles.end());
+  RC_LOG() << ::testing::PrintToString(mesh.triangles);
+
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> more;  // triangles on the left than on the right
+  for (const Corners& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) ++more[{t[i], t[(i + 1) % 3]}], --more[{t[(i + 1) % 3], t[i]}];
+  }
+  std::size_t open = 0;
+  for (const auto& [edge, count] : more) {
+    const Point2 a = mesh.points[edge.first], b = mesh.points[edge.second];
+    const bool on_hull = std::none_of(mesh.points.begin(), mesh.points.end(),
+                                      [&](Point2 p) { return oracle::orient2d(a, b, p) < 0; });
+    if (count <= 0 || on_hull) continue;
+    open += !covered_on_the_right(mesh, a, b, a) || !covered_on_the_right(mesh, a, b, b);
+  }
+  RC_CLASSIFY(open > 0);
+
+  std::size_t reported = 0;
+  for (const Fault& fault : faults(mesh)) {
+    if (fault.kind != FaultKind::hole) continue;
+    RC_PRE(fault.count == fault.examples.size());
+    for (const std::string& text : fault.examples) {
+      reported += std::stoul(text.substr(text.find("border of ") + 10));
+    }
+  }
+  RC_ASSERT(reported == open);
 }
 
 }  // namespace
