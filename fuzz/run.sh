@@ -4,7 +4,7 @@
 # earlier runs have found. Prints the executions of each; after the first finding, which is left in
 # build-fuzz/findings, no more are begun and it ends with an error. What it needs it installs (Debian, as root).
 #
-#   THALWEG_FUZZ_SANITIZE=  without sanitizers, with the library's and the compiler's assertions: about five times as
+#   THALWEG_FUZZ_SANITIZE=  without sanitizers, with the library's and the compiler's assertions: several times as
 #                           many executions; what they find worth keeping is replayed by the next run with sanitizers
 #   THALWEG_FUZZ_BUILD      an earlier build to use as it is configured, instead of build-fuzz
 #   THALWEG_FUZZ_JOBS       how many at a time
