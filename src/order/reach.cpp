@@ -7,10 +7,10 @@
 namespace thalweg::detail {
 namespace {
 
-/// How many sites near p are met before the bounds are found from them. More make them tighter and dearer: 6
-/// k of them leave 15 % fewer sites than 4 k.
-constexpr std::size_t near_count(std::size_t k) {
-  return 4 * k + 16;
+/// How many sites near p are met before the bounds are found from them, if there are so many. More make them
+/// tighter and dearer: 6 k of them leave 15 % fewer sites than 4 k.
+std::size_t near_count(const DelaunayGraph& graph, std::size_t k) {
+  return std::min(4 * k + 16, graph.sites().size());
 }
 
 constexpr std::size_t kBlock = 16;
@@ -23,14 +23,19 @@ constexpr std::array<float, 16> kCosines = {
 }  // namespace
 
 void Reach::measure(const DelaunayGraph& graph, VertexId p, unsigned k) {
-  const std::size_t near = near_count(k);
+  nearness_.fill(0);
+  expanded_ = 0;
+  met_.clear();
+  const std::size_t near = near_count(graph, k);
+  if (near < k + std::size_t{2}) return;  // no circle can hold more than k
   at_p_ = graph.point(p);
   degree_ = graph.neighbors(p).size();
   start(p, near);
   while (expanded_ < met_.size() && expand(graph, met_[expanded_], near)) ++expanded_;
   invert(graph);
+  if (scale_ == 0) return;
   std::array<double, kSectors> levels;
-  for (std::size_t i = 0; i < kSectors; ++i) levels[i] = scale_ > 0 ? level(i, k) : 0;
+  for (std::size_t i = 0; i < kSectors; ++i) levels[i] = level(i, k);
   for (std::size_t i = 0; i < kSectors; ++i) {
     // By how many sectors apart: the least angle is one sector less, and from a right angle on nothing is on
     // the same circle.
@@ -59,15 +64,13 @@ bool Reach::collect(const DelaunayGraph& graph) {
 /// Makes room for so many sites near p, and for eight times as many later.
 void Reach::start(VertexId p, std::size_t near) {
   table_.assign(std::bit_ceil(16 * near), VertexId());
-  met_.clear();
-  expanded_ = 0;
   meet(p);
 }
 
 /// Meets the neighbours of v; false if there are too many, and then perhaps not all.
 bool Reach::expand(const DelaunayGraph& graph, VertexId v, std::size_t most) {
   for (const VertexId w : graph.neighbors(v)) {
-    if (met_.size() > most) return false;
+    if (met_.size() >= most) return false;
     meet(w);
   }
   return true;
