@@ -17,7 +17,7 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
 
 /// What finding the least orders may be expected to take in all, in units of about a nanosecond: a tenth
 /// of a second.
-constexpr std::uint64_t kBudget = 100'000'000;
+constexpr std::uint64_t kWorkBudget = 100'000'000;
 
 /// What a search of order k is expected to take: 16 microseconds were measured at k = 8, and up to four times
 /// as much at each doubling.
@@ -189,7 +189,7 @@ LeastOrders least_exit_orders(const Surface& surface, const std::vector<std::vec
     for (std::size_t i = 0; i < flats.size(); ++i) {
       if (settled[i] == 0) used += flats[i].size() * expected_work(limit);
     }
-    if (used > kBudget) break;
+    if (used > kWorkBudget) break;
     parallel_chunks(flats.size(), 16, threads, [&] {
       return [&, counter = CircleCounter(surface.graph())](std::size_t begin, std::size_t end) mutable {
         SleeveSearch search(surface.graph(), counter);
