@@ -45,8 +45,8 @@ std::vector<Point2> scattered(Point2 middle, int side, std::uint32_t width) {
   thalweg::io::Random random(3);
   std::vector<Point2> points;
   for (int i = 0; i < side * side; ++i) {
-    const double x = static_cast<double>(random.below(width)) + width * (i % side - side / 2);
-    const double y = static_cast<double>(random.below(width)) + width * (i / side - side / 2);
+    const double x = static_cast<double>(random.below(width)) + double(width) * (i % side - side / 2);
+    const double y = static_cast<double>(random.below(width)) + double(width) * (i / side - side / 2);
     points.push_back({middle.x + x, middle.y + y});
   }
   return points;
