@@ -207,20 +207,10 @@ class SleeveSearch {
     if (!find_sleeve(graph_->delaunay(), graph_->sites(), p, q, sleeve_)) return k + 1;
     left_.restart(sleeve_.left[0]);
     right_.restart(sleeve_.right[0]);
-    if (is_cocircular(p, q)) return 0;
+    if (is_cocircular(*graph_, p, q, sleeve_)) return 0;
     for (const VertexId v : sleeve_.left) left_.add(v);
     for (const VertexId v : sleeve_.right) right_.add(v);
     return std::max(left_.size(), right_.size()) > k ? k + 1 : order_with(p, q, k);
-  }
-
-  /// Whether p, q and their whole sleeve are on one circle.
-  bool is_cocircular(VertexId p, VertexId q) const {
-    const auto at = [&](VertexId v) { return graph_->point(v); };
-    const auto on_circle = [&](VertexId v) {
-      return incircle_sign(at(p), at(sleeve_.right[0]), at(sleeve_.left[0]), at(v)) == 0;
-    };
-    return on_circle(q) && std::all_of(sleeve_.left.begin() + 1, sleeve_.left.end(), on_circle) &&
-           std::all_of(sleeve_.right.begin() + 1, sleeve_.right.end(), on_circle);
   }
 
   unsigned order_with(VertexId p, VertexId q, unsigned k) {
@@ -228,6 +218,17 @@ class SleeveSearch {
   }
 
  public:
+  /// Whether p, q and their whole sleeve are on one circle, which is then empty: the one case in which no
+  /// edge across pq has an end strictly inside.
+  static bool is_cocircular(const DelaunayGraph& graph, VertexId p, VertexId q, const Sleeve& sleeve) {
+    const auto at = [&](VertexId v) { return graph.point(v); };
+    const auto on_circle = [&](VertexId v) {
+      return incircle_sign(at(p), at(sleeve.right[0]), at(sleeve.left[0]), at(v)) == 0;
+    };
+    return on_circle(q) && std::all_of(sleeve.left.begin() + 1, sleeve.left.end(), on_circle) &&
+           std::all_of(sleeve.right.begin() + 1, sleeve.right.end(), on_circle);
+  }
+
   /// The useful order of p, q, or k + 1 if more, from the sites of their sleeve left and right of p -> q.
   /// Requires: both sides not empty; p, q and they are not all on one empty circle.
   static unsigned pair_order(const DelaunayGraph& graph, CircleCounter& counter, VertexId p, VertexId q,

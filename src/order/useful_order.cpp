@@ -15,16 +15,7 @@ std::optional<unsigned> useful_order(const DelaunayGraph& graph, CircleCounter& 
   if (graph.delaunay().joined(u, v)) return 0u;
   detail::Sleeve sleeve;
   if (!detail::find_sleeve(graph.delaunay(), graph.sites(), u, v, sleeve)) return std::nullopt;
-
-  // On one empty circle with its whole sleeve: the one case in which no edge has an end strictly inside.
-  const VertexId s = sleeve.left[0], t = sleeve.right[0];
-  const auto on_first_circle = [&](VertexId w) {
-    return detail::incircle_sign(graph.point(u), graph.point(t), graph.point(s), graph.point(w)) == 0;
-  };
-  if (on_first_circle(v) && std::all_of(sleeve.left.begin(), sleeve.left.end(), on_first_circle) &&
-      std::all_of(sleeve.right.begin(), sleeve.right.end(), on_first_circle)) {
-    return 0u;
-  }
+  if (detail::SleeveSearch::is_cocircular(graph, u, v, sleeve)) return 0u;
   return detail::SleeveSearch::pair_order(graph, counter, u, v, sleeve.left, sleeve.right, limit);
 }
 

@@ -60,7 +60,7 @@ large() {
 
 # job "NAME FUNCTION WORD ...": that function, in a folder of that name.
 job() {
-  local name function
+  local name function words
   read -r name function words <<<"$1"
   mkdir "$name"  # a name for each: no job may see what another one wrote
   cd "$name"
