@@ -1,6 +1,7 @@
 /// What targets that look into triangulations share.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>

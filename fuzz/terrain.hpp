@@ -158,4 +158,11 @@ inline std::optional<unsigned> fewest_pits(const Terrain& terrain, std::size_t m
   return all.fewest_pits(oracle::Relief(z))[std::min(terrain.order, all.most_order())];
 }
 
+/// The fewest pits of up to `most` sites are not less than the bound of a result, and not more than its pits.
+inline void check_against_fewest(const Minimized& m, const Terrain& terrain, std::size_t most) {
+  const auto fewest = fewest_pits(terrain, most);
+  check(!fewest || (m.lower_bound <= *fewest && *fewest <= m.pits.total),
+        "the minimum is between bound and result", terrain);
+}
+
 }  // namespace fuzz
