@@ -22,6 +22,7 @@ namespace {
 /// A flip that may be done: half-edge a -> b with the apexes c, the lowest of the four, and d, as they were
 /// when it was found, and the orders of the triangles d, c, a and c, d, b.
 struct Candidate {
+  std::uint64_t place;  // in a wave: the ranks of c and d
   HalfedgeId halfedge;
   VertexId a, b, c, d;
   unsigned order_at_a, order_at_b;
@@ -80,96 +81,175 @@ class PitLedger {
   std::uint32_t left_;
 };
 
+/// The circles through c, d and a, and through c, d and b, where a and b are on different sides of cd.
+///
+/// Of two circles through c and d, that which reaches further on one side of the line reaches less far on the
+/// other. So a is inside the circle of b iff b is inside that of a. If they are, all that the circle of a
+/// holds on a's side of the line, or on the line, is inside that of b too; if they are not, all that it holds
+/// on b's side or on the line.
+class CirclePair {
+ public:
+  explicit CirclePair(const DelaunayGraph& graph) : graph_(&graph), counter_(graph) {}
+
+  /// Fills in the orders of a candidate. If one of them is more than k, the other may be missing. Returns
+  /// the larger. Few circles that are larger than their partner hold fewer sites: that one is looked at
+  /// first.
+  unsigned find_orders(Candidate& candidate, unsigned k) {
+    const auto& [place, halfedge, a, b, c, d, order_at_a, order_at_b] = candidate;
+    return is_larger(c, d, b, a) ? count(d, c, b, a, k, candidate.order_at_b, candidate.order_at_a)
+                                 : count(c, d, a, b, k, candidate.order_at_a, candidate.order_at_b);
+  }
+
+  std::uint64_t counts() const noexcept { return counter_.calls(); }
+
+ private:
+  /// The orders of d, c, a and then of c, d, b. Requires: d, c, a counter-clockwise.
+  unsigned count(VertexId c, VertexId d, VertexId a, VertexId b, unsigned k, unsigned& at_a, unsigned& at_b) {
+    const auto at = [&](VertexId v) { return graph_->point(v); };
+    const bool hold_each_other = incircle_sign(at(d), at(c), at(a), at(b)) > 0;
+    at_a = counter_.count_in_circle(d, c, a, k, std::span(&b, hold_each_other ? 1 : 0));
+    if (at_a > k) return at_a;
+    shared_.clear();
+    if (hold_each_other) shared_.push_back(a);
+    for (const VertexId site : counter_.inside()) {
+      const int side = orient2d_sign(at(d), at(c), at(site));  // positive: on a's
+      if (hold_each_other ? side >= 0 : side <= 0) shared_.push_back(site);
+    }
+    at_b = counter_.count_in_circle(c, d, b, k, shared_);
+    return std::max(at_a, at_b);
+  }
+
+  /// Whether, but for rounding, the circle through c, d, p is larger than that through c, d, q: it is where
+  /// cd is seen under an angle with a smaller sine.
+  bool is_larger(VertexId c, VertexId d, VertexId p, VertexId q) const noexcept {
+    const auto [cross_p, product_p] = squared_sine(graph_->point(c), graph_->point(d), graph_->point(p));
+    const auto [cross_q, product_q] = squared_sine(graph_->point(c), graph_->point(d), graph_->point(q));
+    return cross_p * product_q < cross_q * product_p;
+  }
+
+  /// The squared sine of the angle under which p sees cd: numerator and denominator, rounded.
+  static std::pair<double, double> squared_sine(Point2 c, Point2 d, Point2 p) noexcept {
+    const double cx = c.x - p.x, cy = c.y - p.y, dx = d.x - p.x, dy = d.y - p.y;
+    const double cross = cx * dy - cy * dx;
+    return {cross * cross, (cx * cx + cy * cy) * (dx * dx + dy * dy)};
+  }
+
+  const DelaunayGraph* graph_;
+  CircleCounter counter_;
+  std::vector<VertexId> shared_;  // sites that are known to be inside the second circle
+};
+
 class FlipRun {
  public:
   FlipRun(const Surface& surface, unsigned k, const Watch& watch)
-      : surface_(surface),
-        watch_(watch),
-        k_(k),
-        rank_(surface.ranks()),
-        ledger_(surface),
-        buckets_(k + std::size_t{1}) {
+      : surface_(surface), watch_(watch), k_(k), rank_(surface.ranks()), ledger_(surface) {
     // A copy: on rough ground flips touch nearly every stretch of a revision.
     outcome_.triangulation = surface.delaunay();
     outcome_.face_orders.assign(outcome_.triangulation.face_count(), 0);
-    for (unsigned i = 0; i < watch.threads; ++i) counters_.emplace_back(surface.graph());
+    for (unsigned i = 0; i < watch.threads; ++i) {
+      workers_.push_back(
+          {CirclePair(surface.graph()), std::vector<std::vector<Candidate>>(k + std::size_t{1})});
+    }
   }
 
   Outcome run(std::vector<std::uint32_t>* pits_at) {
     if (k_ > 0) collect_all();
     if (pits_at != nullptr) pits_at->assign(1, ledger_.left());
     for (unsigned level = 1; level <= k_ && !watch_.stopped(); ++level) {
-      while (!buckets_[level].empty() && !watch_.stopped()) flip_wave(level);
+      while (next_wave(level) && !watch_.stopped()) flip_wave(level);
       if (pits_at != nullptr) pits_at->push_back(ledger_.left());
       watch_.report("flipping", static_cast<double>(level) / k_);
     }
     outcome_.pits = ledger_.left();
-    for (const CircleCounter& counter : counters_) outcome_.circle_counts += counter.calls();
+    for (const Worker& worker : workers_) outcome_.circle_counts += worker.circles.counts();
     return std::move(outcome_);
   }
 
  private:
+  /// What one thread has for itself.
+  struct Worker {
+    CirclePair circles;
+    std::vector<std::vector<Candidate>> buckets;  // by order; their order within is of no meaning
+  };
+
   bool is_lower(VertexId u, VertexId v) const noexcept { return rank_[u.index()] < rank_[v.index()]; }
 
-  /// The order bucket of the flip of h, with the candidate; k + 1 if it is not to be done.
-  unsigned assess(CircleCounter& counter, HalfedgeId h, Candidate& candidate) const {
+  /// The one half-edge of the face f whose flip may lower something: the apex is the lowest of the four
+  /// corners. Invalid if there is none.
+  HalfedgeId flip_from(FaceId f) const noexcept {
     const Triangulation& t = outcome_.triangulation;
-    if (t.on_hull(h)) return k_ + 1;
-    HalfedgeId edge = h;
-    if (is_lower(t.apex(t.twin(h)), t.apex(h))) edge = t.twin(h);
-    const VertexId a = t.origin(edge), b = t.dest(edge), c = t.apex(edge), d = t.apex(t.twin(edge));
-    if (!is_lower(c, a) || !is_lower(c, b)) return k_ + 1;
-    const auto at = [&](VertexId v) { return surface_.sites()[v.index()]; };
-    if (orient2d_sign(at(d), at(c), at(a)) <= 0 || orient2d_sign(at(d), at(c), at(b)) >= 0) return k_ + 1;
-    candidate = {edge, a, b, c, d, counter.count_in_circle(d, c, a, k_), 0};
-    if (candidate.order_at_a > k_) return candidate.order_at_a;
-    candidate.order_at_b = counter.count_in_circle(c, d, b, k_);
-    return std::max({1u, candidate.order_at_a, candidate.order_at_b});
+    HalfedgeId h = Triangulation::halfedge(f);
+    HalfedgeId lowest = h;  // leads away from the lowest corner
+    for (h = Triangulation::next(h); h != Triangulation::halfedge(f); h = Triangulation::next(h)) {
+      if (is_lower(t.origin(h), t.origin(lowest))) lowest = h;
+    }
+    const HalfedgeId opposite = Triangulation::next(lowest);
+    const HalfedgeId twin = t.twin(opposite);
+    return twin.valid() && is_lower(t.origin(lowest), t.apex(twin)) ? opposite : HalfedgeId();
+  }
+
+  /// That half-edge of an edge whose apex is the lowest of the four corners; invalid if it is neither.
+  HalfedgeId flip_of(HalfedgeId h) const noexcept {
+    const Triangulation& t = outcome_.triangulation;
+    if (t.on_hull(h)) return HalfedgeId();
+    if (is_lower(t.apex(t.twin(h)), t.apex(h))) h = t.twin(h);
+    const VertexId c = t.apex(h);
+    return is_lower(c, t.origin(h)) && is_lower(c, t.dest(h)) ? h : HalfedgeId();
   }
 
   void collect_all() {
-    std::vector<HalfedgeId> all;
-    for (std::uint32_t i = 0; i < outcome_.triangulation.halfedge_count(); ++i) {
-      if (HalfedgeId(i) < outcome_.triangulation.twin(HalfedgeId(i))) all.emplace_back(i);  // once an edge
-    }
-    collect(all, 0);
+    collect(outcome_.triangulation.face_count(), 0,
+            [&](std::size_t i) { return flip_from(FaceId(static_cast<std::uint32_t>(i))); });
   }
 
-  /// Puts the candidates among these edges into their buckets, at `level` at least: what a lower round would
-  /// have done, had it been possible then, is done in this one. Half-edges in ascending order are near each
-  /// other in the plane, so that one circle is searched where the last one has just been; and they are shared
-  /// among threads. The order within a bucket is of no meaning.
-  void collect(std::span<const HalfedgeId> edges, unsigned level) {
+  /// Puts the candidates among `count` half-edges into the buckets, at `level` at least: what a lower round
+  /// would have done, had it been possible then, is done in this one. They are shared among threads, and such
+  /// as follow each other should be near each other, so that one circle is searched where the last one has
+  /// just been.
+  template <class HalfedgeAt>
+  void collect(std::size_t count, unsigned level, HalfedgeAt&& halfedge_at) {
     constexpr std::size_t kChunk = 1 << 12;
-    std::vector<std::vector<std::pair<unsigned, Candidate>>> lists((edges.size() + kChunk - 1) / kChunk);
-    std::atomic<std::size_t> worker{0};
-    parallel_chunks(edges.size(), kChunk, watch_.threads, [&] {
-      return [&, &counter = counters_[worker++]](std::size_t begin, std::size_t end) {
+    std::atomic<std::size_t> next_worker{0};
+    parallel_chunks(count, kChunk, watch_.threads, [&] {
+      return [&, &worker = workers_[next_worker++]](std::size_t begin, std::size_t end) {
         if (watch_.stopped()) return;
         for (std::size_t i = begin; i < end; ++i) {
-          Candidate candidate;
-          const unsigned order = assess(counter, edges[i], candidate);
-          if (order <= k_) lists[begin / kChunk].emplace_back(order, candidate);
+          if (const HalfedgeId h = halfedge_at(i); h.valid()) assess(worker, h, level);
         }
       };
     });
-    for (const auto& list : lists) {
-      for (const auto& [order, candidate] : list) buckets_[std::max(order, level)].push_back(candidate);
-    }
   }
 
-  /// Takes all candidates that wait at this level, in the order of their new edges' ranks.
-  void flip_wave(unsigned level) {
+  /// Puts the flip of h into its bucket, if it is one and its order is not too high.
+  void assess(Worker& worker, HalfedgeId h, unsigned level) const {
+    const Triangulation& t = outcome_.triangulation;
+    const VertexId a = t.origin(h), b = t.dest(h), c = t.apex(h), d = t.apex(t.twin(h));
+    const auto at = [&](VertexId v) { return surface_.sites()[v.index()]; };
+    if (orient2d_sign(at(d), at(c), at(a)) <= 0 || orient2d_sign(at(d), at(c), at(b)) >= 0) return;
+    const std::uint64_t place = (std::uint64_t{rank_[c.index()]} << 32) | rank_[d.index()];
+    Candidate candidate{place, h, a, b, c, d, 0, 0};
+    const unsigned order = worker.circles.find_orders(candidate, k_);
+    if (order <= k_) worker.buckets[std::max({1u, order, level})].push_back(candidate);
+  }
+
+  /// Takes all candidates that wait at this level, in the order of their new edges' ranks. Returns whether
+  /// there are any.
+  bool next_wave(unsigned level) {
     wave_.clear();
-    for (const Candidate& candidate : buckets_[level]) {
-      wave_.emplace_back((std::uint64_t{rank_[candidate.c.index()]} << 32) | rank_[candidate.d.index()],
-                         candidate);
+    wave_.swap(workers_[0].buckets[level]);
+    for (std::size_t i = 1; i < workers_.size(); ++i) {
+      std::vector<Candidate>& more = workers_[i].buckets[level];
+      wave_.insert(wave_.end(), more.begin(), more.end());
+      more.clear();
     }
-    buckets_[level].clear();
-    std::sort(wave_.begin(), wave_.end(), [](const auto& x, const auto& y) {
-      return x.first != y.first ? x.first < y.first : x.second.halfedge < y.second.halfedge;
+    std::sort(wave_.begin(), wave_.end(), [](const Candidate& x, const Candidate& y) {
+      return x.place != y.place ? x.place < y.place : x.halfedge < y.halfedge;
     });
-    for (const auto& [key, candidate] : wave_) {
+    return !wave_.empty();
+  }
+
+  void flip_wave(unsigned level) {
+    for (const Candidate& candidate : wave_) {
       if (is_current(candidate)) flip(candidate, level);
     }
     collect_sides(level);
@@ -180,7 +260,7 @@ class FlipRun {
   /// earlier one of it made possible.
   void collect_sides(unsigned level) {
     sort_sides();
-    collect(sides_, level);
+    collect(sides_.size(), level, [&](std::size_t i) { return flip_of(sides_[i]); });
     sides_.clear();
   }
 
@@ -234,10 +314,9 @@ class FlipRun {
   const Watch& watch_;
   const unsigned k_;
   std::vector<std::uint32_t> rank_;
-  std::vector<CircleCounter> counters_;  // one a thread
+  std::vector<Worker> workers_;  // one a thread
   PitLedger ledger_;
-  std::vector<std::vector<Candidate>> buckets_;
-  std::vector<std::pair<std::uint64_t, Candidate>> wave_;
+  std::vector<Candidate> wave_;
   std::vector<HalfedgeId> sides_;     // of the quadrilaterals flipped in this wave, but for the hull
   std::vector<std::uint64_t> marks_;  // a bit for each half-edge
   Outcome outcome_;
