@@ -70,6 +70,7 @@ unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit
   // Copies, which the compiler can keep in registers: no store can change them.
   const std::uint32_t epoch = epoch_;
   std::uint32_t* const stamp = stamp_.data();
+  const Point2* const sites = graph_->sites().data();
   stamp[u.index()] = stamp[v.index()] = stamp[w.index()] = epoch;
 
   make_room(1 + known.size());
@@ -97,7 +98,7 @@ unsigned CircleCounter::crawl(VertexId u, VertexId v, VertexId w, unsigned limit
     VertexId* const queue = queue_.data();
     for (std::size_t i = 0; i < fresh_count; ++i) {
       queue[size] = fresh[i];
-      size += circle.holds(graph_->point(fresh[i])) ? 1 : 0;
+      size += circle.holds(sites[fresh[i].index()]) ? 1 : 0;
     }
   }
   inside_count_ = size - 1;

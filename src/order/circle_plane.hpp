@@ -30,7 +30,7 @@ class CirclePlane {
   }
 
   /// Whether d is strictly inside. Exact.
-  bool holds(Point2 d) const noexcept {
+  bool holds(const Point2& d) const noexcept {
     const double x = d.x - u_.x, y = d.y - u_.y;
     const double d2 = x * x + y * y;
     const double det = (y * b_ - x * a_) - d2 * c_;

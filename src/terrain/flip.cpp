@@ -148,7 +148,7 @@ class FlipRun {
     outcome_.face_orders.assign(outcome_.triangulation.face_count(), 0);
     for (unsigned i = 0; i < watch.threads; ++i) {
       workers_.push_back(
-          {CirclePair(surface.graph()), std::vector<std::vector<Candidate>>(k + std::size_t{1})});
+          {CirclePair(surface.graph()), std::vector<Array<Candidate>>(k + std::size_t{1})});
     }
   }
 
@@ -169,7 +169,7 @@ class FlipRun {
   /// What one thread has for itself.
   struct Worker {
     CirclePair circles;
-    std::vector<std::vector<Candidate>> buckets;  // by order; their order within is of no meaning
+    std::vector<Array<Candidate>> buckets;  // by order; their order within is of no meaning
   };
 
   bool is_lower(VertexId u, VertexId v) const noexcept { return rank_[u.index()] < rank_[v.index()]; }
@@ -238,7 +238,7 @@ class FlipRun {
     wave_.clear();
     wave_.swap(workers_[0].buckets[level]);
     for (std::size_t i = 1; i < workers_.size(); ++i) {
-      std::vector<Candidate>& more = workers_[i].buckets[level];
+      Array<Candidate>& more = workers_[i].buckets[level];
       wave_.insert(wave_.end(), more.begin(), more.end());
       more.clear();
     }
@@ -313,12 +313,12 @@ class FlipRun {
   const Surface& surface_;
   const Watch& watch_;
   const unsigned k_;
-  std::vector<std::uint32_t> rank_;
+  Array<std::uint32_t> rank_;
   std::vector<Worker> workers_;  // one a thread
   PitLedger ledger_;
-  std::vector<Candidate> wave_;
-  std::vector<HalfedgeId> sides_;     // of the quadrilaterals flipped in this wave, but for the hull
-  std::vector<std::uint64_t> marks_;  // a bit for each half-edge
+  Array<Candidate> wave_;
+  Array<HalfedgeId> sides_;     // of the quadrilaterals flipped in this wave, but for the hull
+  Array<std::uint64_t> marks_;  // a bit for each half-edge
   Outcome outcome_;
 };
 

@@ -32,16 +32,16 @@ std::optional<Error> Surface::count_by_voronoi(unsigned k, unsigned threads) {
   return std::nullopt;
 }
 
-std::vector<std::uint32_t> Surface::ranks() const {
+Array<std::uint32_t> Surface::ranks() const {
   struct Key {
     double z;
     VertexId site;
   };
-  std::vector<Key> keys(z_.size());
+  Array<Key> keys(z_.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) keys[i] = {z_[i], VertexId(i)};
   std::sort(keys.begin(), keys.end(),
             [&](const Key& a, const Key& b) { return a.z != b.z ? a.z < b.z : lower(a.site, b.site); });
-  std::vector<std::uint32_t> ranks(keys.size());
+  Array<std::uint32_t> ranks(keys.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) ranks[keys[i].site.index()] = i;
   return ranks;
 }

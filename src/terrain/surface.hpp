@@ -43,7 +43,7 @@ class Surface {
   }
   /// The place of each vertex in elevation order, from 0: the paper's "height normalised to 1 .. n".
   /// Complexity: O(n log n).
-  std::vector<std::uint32_t> ranks() const;
+  Array<std::uint32_t> ranks() const;
   /// The least elevation of all.
   double lowest_level() const noexcept { return lowest_level_; }
 

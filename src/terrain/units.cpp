@@ -202,11 +202,11 @@ class UnitFinder {
   const Triangulation& t_;
   const Watch& watch_;
   const unsigned k_;
-  std::vector<std::uint8_t> crossed_;     // X, by half-edge
-  std::vector<std::uint8_t> is_touched_;  // pits, and ends of edges in X: where a unit can be
+  Array<std::uint8_t> crossed_;     // X, by half-edge
+  Array<std::uint8_t> is_touched_;  // pits, and ends of edges in X: where a unit can be
   std::vector<VertexId> touched_;
-  std::vector<std::uint32_t> group_;  // unit, kDrains or kUnseen: drains beyond doubt
-  std::vector<Member> searched_as_;   // the unit as it was when the exits of a vertex were searched
+  Array<std::uint32_t> group_;  // unit, kDrains or kUnseen: drains beyond doubt
+  Array<Member> searched_as_;   // the unit as it was when the exits of a vertex were searched
   std::vector<std::vector<VertexId>> groups_;
   std::vector<VertexId> drained_;
   std::vector<Exit> exits_;
