@@ -14,6 +14,7 @@
 #include "kernel/assert.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/predicates_inline.hpp"
+#include "kernel/radix_sort.hpp"
 #include "terrain/disjoint_sets.hpp"
 
 namespace thalweg::detail {
@@ -22,7 +23,6 @@ namespace {
 /// A flip that may be done: half-edge a -> b with the apexes c, the lowest of the four, and d, as they were
 /// when it was found, and the orders of the triangles d, c, a and c, d, b.
 struct Candidate {
-  std::uint64_t place;  // in a wave: the ranks of c and d
   HalfedgeId halfedge;
   VertexId a, b, c, d;
   unsigned order_at_a, order_at_b;
@@ -95,9 +95,9 @@ class CirclePair {
   /// the larger. Few circles that are larger than their partner hold fewer sites: that one is looked at
   /// first.
   unsigned find_orders(Candidate& candidate, unsigned k) {
-    const auto& [place, halfedge, a, b, c, d, order_at_a, order_at_b] = candidate;
-    return is_larger(c, d, b, a) ? count(d, c, b, a, k, candidate.order_at_b, candidate.order_at_a)
-                                 : count(c, d, a, b, k, candidate.order_at_a, candidate.order_at_b);
+    auto& [halfedge, a, b, c, d, order_at_a, order_at_b] = candidate;
+    return is_larger(c, d, b, a) ? count(d, c, b, a, k, order_at_b, order_at_a)
+                                 : count(c, d, a, b, k, order_at_a, order_at_b);
   }
 
   std::uint64_t counts() const noexcept { return counter_.calls(); }
@@ -142,13 +142,12 @@ class CirclePair {
 class FlipRun {
  public:
   FlipRun(const Surface& surface, unsigned k, const Watch& watch)
-      : surface_(surface), watch_(watch), k_(k), rank_(surface.ranks()), ledger_(surface) {
+      : surface_(surface), watch_(watch), k_(k), rank_(surface.ranks(watch.threads)), ledger_(surface) {
     // A copy: on rough ground flips touch nearly every stretch of a revision.
     outcome_.triangulation = surface.delaunay();
     outcome_.face_orders.assign(outcome_.triangulation.face_count(), 0);
     for (unsigned i = 0; i < watch.threads; ++i) {
-      workers_.push_back(
-          {CirclePair(surface.graph()), std::vector<Array<Candidate>>(k + std::size_t{1})});
+      workers_.push_back({CirclePair(surface.graph()), std::vector<Array<Candidate>>(k + std::size_t{1})});
     }
   }
 
@@ -226,8 +225,7 @@ class FlipRun {
     const VertexId a = t.origin(h), b = t.dest(h), c = t.apex(h), d = t.apex(t.twin(h));
     const auto at = [&](VertexId v) { return surface_.sites()[v.index()]; };
     if (orient2d_sign(at(d), at(c), at(a)) <= 0 || orient2d_sign(at(d), at(c), at(b)) >= 0) return;
-    const std::uint64_t place = (std::uint64_t{rank_[c.index()]} << 32) | rank_[d.index()];
-    Candidate candidate{place, h, a, b, c, d, 0, 0};
+    Candidate candidate{h, a, b, c, d, 0, 0};
     const unsigned order = worker.circles.find_orders(candidate, k_);
     if (order <= k_) worker.buckets[std::max({1u, order, level})].push_back(candidate);
   }
@@ -242,14 +240,19 @@ class FlipRun {
       wave_.insert(wave_.end(), more.begin(), more.end());
       more.clear();
     }
-    std::sort(wave_.begin(), wave_.end(), [](const Candidate& x, const Candidate& y) {
-      return x.place != y.place ? x.place < y.place : x.halfedge < y.halfedge;
+    order_.resize(wave_.size());
+    for (std::uint32_t i = 0; i < wave_.size(); ++i) order_[i] = keyed_row(rank_[wave_[i].c.index()], i);
+    radix_sort(order_, watch_.threads);
+    sort_runs(order_, [&](std::uint32_t x, std::uint32_t y) {
+      const VertexId d_x = wave_[x].d, d_y = wave_[y].d;
+      return d_x != d_y ? is_lower(d_x, d_y) : wave_[x].halfedge < wave_[y].halfedge;
     });
     return !wave_.empty();
   }
 
   void flip_wave(unsigned level) {
-    for (const Candidate& candidate : wave_) {
+    for (const KeyedRow row : order_) {
+      const Candidate& candidate = wave_[row_of(row)];
       if (is_current(candidate)) flip(candidate, level);
     }
     collect_sides(level);
@@ -317,6 +320,7 @@ class FlipRun {
   std::vector<Worker> workers_;  // one a thread
   PitLedger ledger_;
   Array<Candidate> wave_;
+  Array<KeyedRow> order_;       // in which the wave is taken
   Array<HalfedgeId> sides_;     // of the quadrilaterals flipped in this wave, but for the hull
   Array<std::uint64_t> marks_;  // a bit for each half-edge
   Outcome outcome_;

@@ -2,9 +2,23 @@
 #include "terrain/surface.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
+#include "kernel/radix_sort.hpp"
+
 namespace thalweg::detail {
+namespace {
+
+/// The upper half of a finite number, as an integer that grows with it.
+std::uint32_t upper_half(double z) noexcept {
+  constexpr std::uint32_t kSign = 0x80000000u;
+  const auto bits = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(z + 0.0) >> 32);  // -0.0 as 0.0
+  return (bits & kSign) != 0 ? ~bits : bits | kSign;
+}
+
+}  // namespace
+
 Surface::Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay)
     : sites_(std::move(sites)),
       z_(std::move(z)),
@@ -32,17 +46,13 @@ std::optional<Error> Surface::count_by_voronoi(unsigned k, unsigned threads) {
   return std::nullopt;
 }
 
-Array<std::uint32_t> Surface::ranks() const {
-  struct Key {
-    double z;
-    VertexId site;
-  };
-  Array<Key> keys(z_.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) keys[i] = {z_[i], VertexId(i)};
-  std::sort(keys.begin(), keys.end(),
-            [&](const Key& a, const Key& b) { return a.z != b.z ? a.z < b.z : lower(a.site, b.site); });
-  Array<std::uint32_t> ranks(keys.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) ranks[keys[i].site.index()] = i;
+Array<std::uint32_t> Surface::ranks(unsigned threads) const {
+  Array<KeyedRow> order(z_.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = keyed_row(upper_half(z_[i]), i);
+  radix_sort(order, threads);
+  sort_runs(order, [&](std::uint32_t a, std::uint32_t b) { return lower(VertexId(a), VertexId(b)); });
+  Array<std::uint32_t> ranks(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) ranks[row_of(order[i])] = i;
   return ranks;
 }
 

@@ -42,8 +42,8 @@ class Surface {
     return p.x != q.x ? p.x < q.x : p.y < q.y;
   }
   /// The place of each vertex in elevation order, from 0: the paper's "height normalised to 1 .. n".
-  /// Complexity: O(n log n).
-  Array<std::uint32_t> ranks() const;
+  /// Complexity: O(n), and O(m log m) for m sites of nearly one elevation.
+  Array<std::uint32_t> ranks(unsigned threads = 1) const;
   /// The least elevation of all.
   double lowest_level() const noexcept { return lowest_level_; }
 

@@ -1,0 +1,41 @@
+/// Sorting rows by 32-bit keys, on all threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "thalweg/array.hpp"
+
+namespace thalweg::detail {
+
+/// Key in the upper half, row in the lower: sorted as one number, equal keys stay in the order of rows.
+using KeyedRow = std::uint64_t;
+
+inline KeyedRow keyed_row(std::uint32_t key, std::uint32_t row) noexcept {
+  return KeyedRow{key} << 32 | row;
+}
+inline std::uint32_t key_of(KeyedRow k) noexcept {
+  return static_cast<std::uint32_t>(k >> 32);
+}
+inline std::uint32_t row_of(KeyedRow k) noexcept {
+  return static_cast<std::uint32_t>(k);
+}
+
+/// Sorts by key; stable. The result does not depend on `threads`. Complexity: O(n).
+void radix_sort(Array<KeyedRow>& keyed, unsigned threads);
+
+/// Sorts the rows of each run of equal keys by less(row, row). Complexity: O(n), and O(m log m) for a run of
+/// m.
+template <class Less>
+void sort_runs(Array<KeyedRow>& keyed, Less&& less) {
+  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
+    while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
+    if (end - begin == 1) continue;
+    std::sort(keyed.begin() + static_cast<std::ptrdiff_t>(begin),
+              keyed.begin() + static_cast<std::ptrdiff_t>(end),
+              [&](KeyedRow a, KeyedRow b) { return less(row_of(a), row_of(b)); });
+  }
+}
+
+}  // namespace thalweg::detail
