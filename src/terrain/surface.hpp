@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/prefetch.hpp"
 #include "thalweg/array.hpp"
 #include "thalweg/circle_count.hpp"
 #include "thalweg/order_k_voronoi.hpp"
@@ -51,6 +52,11 @@ class Surface {
   const Pits& pits() const noexcept { return pits_; }
   static constexpr std::uint32_t kNoPit = 0xffffffffu;
   std::uint32_t pit_of(VertexId v) const noexcept { return pit_of_[v.index()]; }
+  /// A hint that z(v) and pit_of(v) will be asked for.
+  void prefetch_elevation(VertexId v) const noexcept {
+    prefetch(&z_[v.index()]);
+    prefetch(&pit_of_[v.index()]);
+  }
 
   /// The triangulation that was edited, with nothing of this surface in it any more: one that shares its
   /// arrays with the Delaunay triangulation takes them over.
