@@ -125,7 +125,7 @@ RC_GTEST_PROP(FindExitsLaws, AreTheDefinitionSortedByOrderAndRanks, ()) {
   std::vector<Key> found = keys(exits);
   std::sort(found.begin(), found.end());
   RC_ASSERT(found == exits_by_definition(surface, s, k));
-  const std::vector<std::uint32_t> rank = surface.ranks();
+  const auto rank = surface.ranks();
   std::vector<Key> by_rank;
   for (const Exit& e : exits) by_rank.emplace_back(e.order, rank[e.from.index()], rank[e.to.index()]);
   RC_ASSERT(std::is_sorted(by_rank.begin(), by_rank.end()));

@@ -134,11 +134,33 @@ TEST(Surface, RanksByElevationThenPlace) {
   const Surface surface =
       support::surface_of(std::vector<Point3>{{3, 0, 1}, {0, 5, 1}, {0, 2, 1}, {9, 9, 0}, {1, 1, -0.0}});
   const std::uint32_t expected[] = {4, 3, 2, 1, 0};
-  const std::vector<std::uint32_t> ranks = surface.ranks();
+  const auto ranks = surface.ranks();
   for (std::uint32_t v = 0; v < 5; ++v) EXPECT_EQ(ranks[v], expected[v]);
   EXPECT_TRUE(surface.lower(vertex(4), vertex(3)));
   EXPECT_FALSE(surface.lower(vertex(3), vertex(3)));
   EXPECT_EQ(surface.lowest(std::vector{vertex(0), vertex(1), vertex(2)}), vertex(2));
+}
+
+TEST(Surface, RanksElevationsOfAnySignThatDifferInTheirLastBitsAlone) {
+  std::vector<Point3> points;
+  for (int i = 0; i < 10'000; ++i) {
+    const double sign = i % 2 == 0 ? 1 : -1;
+    points.push_back({static_cast<double>(i * 37 % 100), static_cast<double>(i / 100),
+                      sign * (1 + (i * 7919 % 100) * 0x1p-52) * (i % 3 == 0 ? 1e-300 : 1)});
+  }
+  std::sort(points.begin(), points.end(),
+            [](const Point3& p, const Point3& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+  points.erase(std::unique(points.begin(), points.end(),
+                           [](const Point3& p, const Point3& q) { return p.x == q.x && p.y == q.y; }),
+               points.end());
+  const Surface surface = support::surface_of(points);
+  std::vector<VertexId> order;
+  for (std::uint32_t v = 0; v < points.size(); ++v) order.push_back(vertex(v));
+  std::sort(order.begin(), order.end(), [&](VertexId u, VertexId v) { return surface.lower(u, v); });
+  for (const unsigned threads : {1u, 3u}) {
+    const auto ranks = surface.ranks(threads);
+    for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(ranks[order[i].index()], i);
+  }
 }
 
 TEST(Surface, KnowsThePitOfEveryVertex) {
