@@ -141,6 +141,9 @@ TEST(Delaunay, SameArraysForAnyNumberOfThreads) {
       const auto u = delaunay(points, {.threads = threads});
       ASSERT_TRUE(u);
       EXPECT_EQ(*t, *u) << threads << " threads, kind " << static_cast<int>(kind);
+      for (std::uint32_t v = 0; v < t->vertex_count(); ++v) {
+        ASSERT_EQ(t->outgoing(VertexId(v)), u->outgoing(VertexId(v))) << threads << " threads";
+      }
     }
   }
 }
