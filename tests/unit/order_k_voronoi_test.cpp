@@ -323,6 +323,9 @@ TEST(OrderKVoronoi, PolygonsTileTheBox) {
         const auto polygon = diagram.polygon(CellId(c), box);
         const double size = area(polygon);
         total += size;
+        for (const Point2 p : polygon) {
+          EXPECT_TRUE(std::fabs(p.x - 5) <= 8 + 1e-12 && std::fabs(p.y - 3.5) <= 5.5 + 1e-12);
+        }
         if (size < 1e-6) continue;
         Point2 middle{0, 0};
         for (const Point2 p : polygon) {
@@ -348,6 +351,37 @@ TEST(OrderKVoronoi, PolygonsShareTheirCorners) {
   for (std::uint32_t v = 0; v < diagram.vertex_count(); ++v)
     finite += !diagram.at_infinity(VoronoiVertexId(v));
   EXPECT_LE(corners.size(), finite);
+}
+
+/// The middle one of nine squares whose sides are 2^-31 of the width of the box.
+TEST(OrderKVoronoi, PolygonsMayBeTiny) {
+  const double step = 0x1p-30;
+  std::vector<Point2> points;
+  for (const Point2 p : grid(3, 3)) points.push_back({0.5 + (p.x - 1) * step, 0.25 + (p.y - 1) * step});
+  const OrderKVoronoi diagram = diagram_of(points, 1);
+  std::set<std::pair<double, double>> corners, expected;
+  for (const Point2 p : diagram.polygon(diagram.locate({0.5, 0.25}), {{-1, -1}, {1, 1}})) {
+    corners.emplace(p.x, p.y);
+  }
+  for (const Point2 p : grid(2, 2)) {
+    expected.emplace(0.5 + (p.x - 0.5) * step, 0.25 + (p.y - 0.5) * step);
+  }
+  EXPECT_EQ(corners, expected);
+}
+
+/// Where the border between two cells runs along a side or through corners of the box.
+TEST(OrderKVoronoi, PolygonsHaveNoCornerTwice) {
+  const auto corners = [](Point2 second, const thalweg::Box& box) {
+    const OrderKVoronoi diagram = diagram_of({{0, 0}, second}, 1);
+    return diagram.polygon(diagram.locate({0, 0}), box).size();
+  };
+  EXPECT_EQ(corners({2, 0}, {{-1, -1}, {1, 1}}), 4u);
+  EXPECT_EQ(corners({-2, 0}, {{-1, -1}, {1, 1}}), 4u);
+  EXPECT_EQ(corners({0, 2}, {{-1, -1}, {1, 1}}), 4u);
+  EXPECT_EQ(corners({2, 2}, {{0, 0}, {2, 2}}), 3u);
+  EXPECT_EQ(corners({2, -2}, {{0, -2}, {2, 0}}), 3u);
+  EXPECT_EQ(corners({2, 0}, {{1, -1}, {3, 1}}), 0u);
+  EXPECT_EQ(corners({6, 0}, {{0, 0}, {4, 2}}), 4u);
 }
 
 TEST(OrderKVoronoi, PolygonsMayBeEmpty) {
