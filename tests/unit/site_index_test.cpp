@@ -72,6 +72,17 @@ TEST(SiteIndex, FindsTheNearestOnALine) {
   }
 }
 
+TEST(SiteIndex, HoldsAsMuchAsItSays) {
+  const std::vector<Point2> points = scattered({0, 0}, 70, 40);
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  std::vector<Point2> sites;
+  for (const std::uint32_t row : order.rows) sites.push_back(points[row]);
+  const auto mesh = thalweg::detail::delaunay_of_sites(sites, order.keys, 1);
+  const double bytes = static_cast<double>(SiteIndex(sites, &*mesh).memory_bytes());
+  EXPECT_GT(bytes / static_cast<double>(sites.size()), 44);
+  EXPECT_LT(bytes / static_cast<double>(sites.size()), 48);
+}
+
 /// From so far that only the direction counts, the nearest is the end of the arm of a cross.
 TEST(SiteIndex, FindsTheOutermostFromFarAway) {
   for (const Point2 middle : {Point2{0, 0}, Point2{4096, -8192}, Point2{0x1p50, -0x1p50}}) {
