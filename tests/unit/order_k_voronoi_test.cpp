@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/exact_predicates.hpp"
 #include "oracle/voronoi.hpp"
 #include "support/cloud.hpp"
 #include "thalweg/circle_count.hpp"
@@ -302,6 +303,67 @@ TEST(OrderKVoronoi, OfManySitesDoesNotDependOnThreads) {
   for (std::uint32_t c = 0; c < one.cell_count(); ++c) {
     ASSERT_TRUE(std::ranges::equal(one.sites(CellId(c)), two.sites(CellId(c))));
   }
+}
+
+TEST(OrderKVoronoi, SaysHowMuchItHolds) {
+  for (const unsigned k : {1u, 4u}) {
+    const OrderKVoronoi diagram = diagram_of(random_points(2000, 1 << 20, 47), k);
+    // The index takes 44 bytes a site.
+    const std::size_t of_sites = 2000 * (sizeof(Point2) + 4 + 4 + 44);
+    const std::size_t least = of_sites + diagram.halfedge_count() * std::size_t{20} +
+                              diagram.vertex_count() * std::size_t{4} +
+                              diagram.cell_count() * (std::size_t{k} + 1) * 4;
+    EXPECT_GE(diagram.memory_bytes(), least) << k;
+    EXPECT_LE(diagram.memory_bytes(), least + least / 8) << k;
+  }
+}
+
+/// Around (0, 0), from one angle to another, nearly on a circle; so that (0, 0) has all of them for
+/// neighbours.
+std::vector<Point2> hub(int spokes, double from, double to) {
+  Random random(41);
+  std::vector<Point2> points = {{0, 0}};
+  for (int i = 0; i < spokes; ++i) {
+    const double angle = from + (to - from) * (i + random.unit() / 4) / spokes;
+    const double radius = 1e6 * (1 + random.unit() / 1024);
+    points.push_back({std::floor(radius * std::cos(angle)), std::floor(radius * std::sin(angle))});
+  }
+  return points;
+}
+
+/// The number of sites inside the circle of a vertex, or in the half-plane of one at infinity, by definition.
+std::ptrdiff_t count_inside(const std::vector<Point2>& points, const thalweg::Triangle& circle) {
+  const Point2 a = points[circle[0].index()], b = points[circle[1].index()];
+  return std::count_if(points.begin(), points.end(), [&](Point2 p) {
+    if (!circle[2].valid()) return oracle::orient2d(a, b, p) > 0;
+    return oracle::incircle(a, b, points[circle[2].index()], p) > 0;
+  });
+}
+
+TEST(OrderKVoronoi, CirclesHoldAsManySitesAsTheySay) {
+  // The cell of a hub is one large hole; of the half hub it is unbounded.
+  const std::vector<std::vector<Point2>> sets = {random_points(120, 1 << 20, 43), hub(70, 0, 6.28),
+                                                 hub(70, 0.2, 2.9), hub(45, -3, 0.1)};
+  for (const auto& points : sets) {
+    for (const unsigned k : {1u, 2u, 3u, 5u}) {
+      const OrderKVoronoi diagram = diagram_of(points, k);
+      for (std::uint32_t i = 0; i < diagram.vertex_count(); ++i) {
+        const VoronoiVertexId v(i);
+        ASSERT_EQ(count_inside(points, diagram.circle(v)), diagram.inside(v)) << points.size() << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(OrderKVoronoi, OfTheSecondOrderDividesTheCellOfAHub) {
+  const auto points = hub(70, 0, 6.28);
+  const OrderKVoronoi diagram = diagram_of(points, 2);
+  std::set<VertexId> beside_hub;
+  for (std::uint32_t c = 0; c < diagram.cell_count(); ++c) {
+    const auto pair = diagram.sites(CellId(c));
+    if (pair[0] == VertexId(0)) beside_hub.insert(pair[1]);
+  }
+  EXPECT_EQ(beside_hub.size(), 70u);
 }
 
 double area(const std::vector<Point2>& polygon) {
