@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/spatial_order.hpp"
 #include "support/delaunay_check.hpp"
+#include "support/random.hpp"
 #include "thalweg/delaunay.hpp"
 
 namespace {
@@ -45,14 +47,26 @@ TEST(SpatialOrder, DoesNotLetDuplicatesDecideHowACellIsOrdered) {
   EXPECT_EQ(sites_of(points), sites_of(twice));
 }
 
+TEST(SpatialOrder, IsTheSameForAnyNumberOfThreads) {
+  auto points = support::point_set(Kind::clusters, 200000, 23);  // enough for three parts
+  points.back() = points.front();
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  for (const unsigned threads : {2u, 3u}) {
+    const auto other = thalweg::detail::spatial_order(points, threads);
+    EXPECT_TRUE(std::ranges::equal(order.rows, other.rows)) << threads;
+    EXPECT_TRUE(std::ranges::equal(order.keys, other.keys)) << threads;
+    EXPECT_EQ(order.starts, other.starts) << threads;
+  }
+}
+
 TEST(Delaunay, NamesRowsThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  const std::vector<Point2> points = {{0, 0}, {nan, 0}, {1, 0}, {0, -infinity}, {0, 1}};
+  const std::vector<Point2> points = {{infinity, 1}, {0, 0}, {nan, 0}, {1, 0}, {0, -infinity}, {0, 1}};
   const auto t = delaunay(points);
   ASSERT_FALSE(t);
   EXPECT_EQ(t.error().code, ErrorCode::not_finite);
-  EXPECT_EQ(t.error().rows, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(t.error().rows, (std::vector<std::uint32_t>{0, 2, 4}));
 }
 
 TEST(Delaunay, NeedsThreeDistinctPoints) {
@@ -112,6 +126,35 @@ TEST(Delaunay, CrowdedCellsWithinCrowdedCells) {
     const auto t = delaunay(points);
     ASSERT_TRUE(t);
     EXPECT_EQ(support::fault_of(points, *t), "") << "kind " << static_cast<int>(kind);
+  }
+}
+
+TEST(Delaunay, CellsAtTheLimitOfBeingCrowded) {
+  support::Random random(5);
+  std::vector<Point2> points = {{0, 0}, {1, 1}};
+  while (points.size() < 65) {
+    points.push_back({0.3 + 1e-9 * random.unit(), 0.7 + 1e-9 * random.unit()});
+    if (points.size() < 45) continue;
+    const auto t = delaunay(points);
+    ASSERT_TRUE(t);
+    EXPECT_EQ(support::fault_of(points, *t), "") << points.size();
+  }
+}
+
+/// A crowd at the corner of boxes within boxes, one more than are looked into.
+TEST(Delaunay, CrowdBelowTheLastLevel) {
+  for (int levels = 1; levels <= 6; ++levels) {
+    support::Random random(7);
+    std::vector<Point2> points;
+    for (int level = 0; level < levels; ++level) {
+      const double size = std::ldexp(1, -20 * level);
+      points.insert(points.end(), {{size, 0}, {0, size}});
+    }
+    const double size = std::ldexp(1, -20 * levels);
+    for (int i = 0; i < 120; ++i) points.push_back({size * random.unit(), size * random.unit()});
+    const auto t = delaunay(points);
+    ASSERT_TRUE(t);
+    EXPECT_EQ(support::fault_of(points, *t), "") << levels;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,30 @@ TEST(TriangulationRevision, UnchangedIsEqualAndHasNoRevisedFaces) {
   EXPECT_EQ(revision, base);
   EXPECT_EQ(revision.find_fault(), std::nullopt);
   EXPECT_TRUE(revision.revised_faces().empty());
+}
+
+/// A revision copies stretches of 16 half-edges.
+TEST(TriangulationRevision, RevisedFacesAreNoMoreThanThoseOfTheStretchesEdited) {
+  support::Cloud cloud;
+  for (int i = 0; i < 400; ++i) cloud.points.push_back({double(i % 20 * 10 + i / 20 % 3), i / 20 * 10.0, 0});
+  const support::Prepared p(cloud);
+  const Triangulation& base = p.delaunay;
+  for (std::uint32_t i = 0; i < base.halfedge_count(); i += 50) {
+    const HalfedgeId h(i);
+    if (!support::flippable(p.sites, base, h)) continue;
+    Triangulation revision = Triangulation::revision_of(base);
+    revision.flip(h);
+    std::set<std::uint32_t> expected;
+    for (std::uint32_t j = 0; j < base.halfedge_count(); ++j) {
+      const HalfedgeId g(j);
+      if (base.origin(g) == revision.origin(g) && base.twin(g) == revision.twin(g)) continue;
+      const std::uint32_t begin = j / 16 * 16, end = std::min(begin + 16, base.halfedge_count());
+      for (std::uint32_t k = begin; k < end; ++k) expected.insert(k / 3);
+    }
+    std::set<std::uint32_t> found;
+    for (const FaceId f : revision.revised_faces()) found.insert(f.index());
+    EXPECT_EQ(found, expected) << i;
+  }
 }
 
 RC_GTEST_PROP(TriangulationRevisionLaws, EditsAreThoseOfACopyAndTheBaseStays, ()) {
