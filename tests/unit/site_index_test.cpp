@@ -79,8 +79,9 @@ TEST(SiteIndex, HoldsAsMuchAsItSays) {
   for (const std::uint32_t row : order.rows) sites.push_back(points[row]);
   const auto mesh = thalweg::detail::delaunay_of_sites(sites, order.keys, 1);
   const double bytes = static_cast<double>(SiteIndex(sites, &*mesh).memory_bytes());
-  EXPECT_GT(bytes / static_cast<double>(sites.size()), 44);
-  EXPECT_LT(bytes / static_cast<double>(sites.size()), 48);
+  // 44 on the lowest level, and a 23rd of that, and of a number more, on those above.
+  EXPECT_GT(bytes / static_cast<double>(sites.size()), 46);
+  EXPECT_LT(bytes / static_cast<double>(sites.size()), 47);
 }
 
 /// From so far that only the direction counts, the nearest is the end of the arm of a cross.
