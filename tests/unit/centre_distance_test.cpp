@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
+
+#include "support/cloud.hpp"
 
 namespace {
 
@@ -27,6 +30,34 @@ TEST(CircleCentre, FilterAnswersNothingForEqualDistances) {
   const CircleCentre centre({0, 0}, {4, 0}, {0, 4});
   expect_nearer(centre, {1, 2}, {3, 2}, std::nullopt);
   expect_nearer(centre, {2, 5}, {2, 5}, std::nullopt);
+}
+
+/// Integer points of circles around (0, 0): what the filter computes is then nothing but rounding errors,
+/// those of the squares of distances, of the terms of the centre, and of all together.
+TEST(CircleCentre, FilterAnswersNothingWhereOnlyErrorsAreLeft) {
+  const std::vector<Point2> small = support::integer_circle(1105), large = support::integer_circle(32045);
+  const auto stretched = [](Point2 p, double factor) { return Point2{p.x * factor, p.y * factor}; };
+  const auto expect_nothing = [](const CircleCentre& centre, Point2 p, Point2 q) {
+    EXPECT_EQ(centre.filter(p, q), std::nullopt);
+    EXPECT_EQ(centre.compare(p, q), 0);
+  };
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    const auto of_small = [&](std::size_t j) { return small[(i + j) % small.size()]; };
+    const CircleCentre centre(of_small(0), of_small(9), of_small(40));
+    for (std::size_t j = 0; j < large.size(); j += 7) {
+      const Point2 p = stretched(large[j], 1000001),
+                   q = stretched(large[(j + 5 * i) % large.size()], 1000001);
+      expect_nothing(centre, p, q);
+    }
+  }
+  for (std::size_t i = 0; i < large.size(); ++i) {
+    const auto at = [&](std::size_t j) { return stretched(large[(i + j) % large.size()], 37); };
+    const CircleCentre centre(at(0), at(100), at(230));
+    for (const std::size_t j : {1u, 2u, 50u, 150u}) {
+      expect_nothing(centre, at(j), at(large.size() - j));
+      expect_nothing(centre, at(j), at(3 * j));
+    }
+  }
 }
 
 /// It must not: where squared lengths are 2^200 or more, what products of small lengths lose by underflow may

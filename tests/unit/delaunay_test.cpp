@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kernel/spatial_order.hpp"
@@ -45,6 +46,43 @@ TEST(SpatialOrder, DoesNotLetDuplicatesDecideHowACellIsOrdered) {
   std::vector<Point2> twice = points;
   twice.insert(twice.end(), points.begin(), points.end());
   EXPECT_EQ(sites_of(points), sites_of(twice));
+}
+
+TEST(SpatialOrder, FindsDuplicatesInACrowdedCell) {
+  support::Random random(3);
+  std::vector<Point2> points = {{0, 0}, {1, 1}};
+  for (int i = 0; i < 100; ++i) {
+    points.push_back({0.3 + 1e-9 * random.unit(), 0.7 + 1e-9 * random.unit()});
+  }
+  EXPECT_EQ(thalweg::detail::spatial_order(points, 1).site_count(), 102u);
+  points.push_back(points[50]);
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  EXPECT_EQ(order.site_count(), 102u);
+  EXPECT_FALSE(order.distinct());
+}
+
+/// Of integers in a box of 2^16 units, x in the odd bits and y in the even ones; and of the same far from
+/// zero, at other scales, and in a box that is not square.
+TEST(SpatialOrder, KeysAreTheBitsOfBothCoordinates) {
+  support::Random random(31);
+  std::vector<std::array<std::uint32_t, 2>> cells = {{0, 0}, {65536, 65536}};
+  for (int i = 0; i < 200; ++i) cells.push_back({random.below(65536), random.below(i % 2 == 0 ? 65536 : 9)});
+  for (const double scale : {1.0, 0x1p-1060, 0x1p1007, 0x1p-510, 0x1p-40}) {
+    for (const double shift : {0.0, -65536.0, 1000.0}) {
+      std::vector<Point2> points;
+      for (const auto& [x, y] : cells) points.push_back({scale * (x + shift), scale * (y + shift)});
+      std::vector<std::uint32_t> keys(points.size());
+      thalweg::detail::morton_keys(points, keys);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        std::uint32_t expected = 0;
+        for (std::uint32_t bit = 0; bit < 16; ++bit) {
+          expected |= (std::min(cells[i][0], 65535u) >> bit & 1) << (2 * bit + 1);
+          expected |= (std::min(cells[i][1], 65535u) >> bit & 1) << (2 * bit);
+        }
+        ASSERT_EQ(keys[i], expected) << scale << " " << shift << " " << cells[i][0] << " " << cells[i][1];
+      }
+    }
+  }
 }
 
 TEST(SpatialOrder, IsTheSameForAnyNumberOfThreads) {
