@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/sleeve.hpp"
@@ -12,6 +14,8 @@
 #include "order/sleeve_search.hpp"
 #include "support/random.hpp"
 #include "thalweg/delaunay.hpp"
+#include "thalweg/order_k_voronoi.hpp"
+#include "thalweg/predicates.hpp"
 
 namespace {
 
@@ -55,6 +59,28 @@ TEST(CircleCounter, StopsSoonBeyondTheLimit) {
   }
   EXPECT_EQ(count(5000), 2000u);
   EXPECT_EQ(counter.inside().size(), 2000u);
+}
+
+TEST(CircleCounter, FindsTheSameByADiagram) {
+  const Scattered sites(100);
+  const DelaunayGraph graph(sites.places, sites.delaunay);
+  const auto diagram = thalweg::order_k_voronoi(sites.places, 12).value();
+  DelaunayGraph with_diagram(sites.places, sites.delaunay);
+  with_diagram.count_by(diagram);
+  const auto sorted = [](std::span<const VertexId> inside) {
+    std::vector<VertexId> result(inside.begin(), inside.end());
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  CircleCounter crawl(graph);
+  for (std::uint32_t i = 0; i + 2 < 100; ++i) {
+    VertexId u(i), v(i + 1);
+    const VertexId w(i + 2);
+    if (thalweg::orient2d(graph.point(u), graph.point(v), graph.point(w)) < 0) std::swap(u, v);
+    CircleCounter by_diagram(with_diagram);  // a new one: it has no room yet
+    ASSERT_EQ(by_diagram.count_in_circle(u, v, w, 11), crawl.count_in_circle(u, v, w, 11));
+    if (crawl.inside().size() <= 11) EXPECT_EQ(sorted(by_diagram.inside()), sorted(crawl.inside()));
+  }
 }
 
 /// A pair has at least the order of the number of sites on either side of its sleeve.
