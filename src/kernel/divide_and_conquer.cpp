@@ -230,8 +230,8 @@ double cross(const Leg& a, const Leg& b) noexcept {
 struct Builder::Seam {
   const Builder& mesh;
   Index a, b;
-  Index left = kGhost, right = kGhost;
-  Index below = kGhost;
+  Index left, right;
+  Index below;
 
   Point2 at(Index v) const noexcept { return mesh.at(v); }
   Index a_next() const noexcept { return mesh.origin(left); }
@@ -418,10 +418,9 @@ Part Builder::merge(const Part& left, const Part& right, Axis axis, Index slot) 
   const Index bottom = 4 * slot, top = bottom + 4;
   const std::array<Extreme, 4> outermost = outermost_sites(left, right, axis);
 
-  Seam seam{*this, a, b};
-  seam.left = left_single ? kGhost : hull_next(in);
-  seam.right = right_single ? kGhost : hull_prev(out);
-  seam.below = bottom;
+  const Index first_left = left_single ? kGhost : hull_next(in);
+  const Index first_right = right_single ? kGhost : hull_prev(out);
+  Seam seam{*this, a, b, first_left, first_right, bottom};
   set_corners(slot, b, a, kGhost);  // b -> a -> ghost
   const Index a_out = left_single ? top + 2 : prev_of(in);
   const Index b_in = right_single ? top + 1 : next_of(out);

@@ -26,10 +26,11 @@ void Reach::measure(const DelaunayGraph& graph, VertexId p, unsigned k) {
   nearness_.fill(0);
   expanded_ = 0;
   met_.clear();
-  const std::size_t near = near_count(graph, k);
+  degree_ = graph.neighbors(p).size();
+  // All neighbours of p in any case: `collect` leaves out what comes first.
+  const std::size_t near = std::max(near_count(graph, k), degree_ + 1);
   if (near < k + std::size_t{2}) return;  // no circle can hold more than k
   at_p_ = graph.point(p);
-  degree_ = graph.neighbors(p).size();
   start(p, near);
   while (expanded_ < met_.size() && expand(graph, met_[expanded_], near)) ++expanded_;
   invert(graph);

@@ -20,8 +20,10 @@ constexpr double kFar = 1e3;
 }  // namespace
 
 void SiteIndex::join(Level& level, const Triangulation& delaunay) {
+  level.starts.reserve(delaunay.vertex_count() + std::size_t{1});
   level.starts.push_back(0);
-  level.neighbors.reserve(delaunay.halfedge_count());
+  // Euler: as many edges as vertices and faces less one, and every edge from both its ends.
+  level.neighbors.reserve(2 * (std::size_t{delaunay.vertex_count()} + delaunay.face_count() - 1));
   for (std::uint32_t i = 0; i < delaunay.vertex_count(); ++i) {
     delaunay.for_each_neighbor(VertexId(i), [&](VertexId v) { level.neighbors.push_back(v.index()); });
     level.starts.push_back(static_cast<std::uint32_t>(level.neighbors.size()));

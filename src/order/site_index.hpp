@@ -17,7 +17,7 @@ namespace thalweg::detail {
 class SiteIndex {
  public:
   /// Sites in spatial order, at least one, and their Delaunay triangulation (nullptr if there is none). Keeps
-  /// copies of what it needs: 44 bytes a site.
+  /// copies of what it needs: 46 bytes a site.
   SiteIndex(std::span<const Point2> sites, const Triangulation* delaunay);
 
   /// The number of a site near q. Not finite q: any site.

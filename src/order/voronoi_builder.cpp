@@ -81,7 +81,6 @@ void VoronoiBuilder::take_map(OrderKVoronoi& diagram, VoronoiMap map) {
     }
     diagram.outgoing_.push_back(order.place[3 * v]);
   }
-  if (map.old_count == map.vertex_count()) diagram.old_count_ = diagram.vertex_count();
   for (std::uint32_t c = 0; c <= diagram.cell_count(); ++c) {
     for (std::uint32_t h = diagram.first_[c]; h < diagram.first_[c + 1]; ++h) {
       diagram.halfedges_[diagram.halfedges_[h].twin].across = c;
@@ -95,7 +94,6 @@ std::vector<VertexId> VoronoiBuilder::set_of(const OrderKVoronoi& diagram, Voron
   std::vector<VertexId> set;
   for (const std::uint32_t row : diagram.rows_) {
     const VertexId s(row);
-    if (s == a || s == b || s == c) continue;
     if (incircle_canonical(diagram.point(a), diagram.point(b), diagram.point(c), diagram.point(s)) > 0) {
       set.push_back(s);
     }

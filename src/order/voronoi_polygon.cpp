@@ -27,7 +27,9 @@ bool has_area(const std::vector<Point2>& polygon) {
   double twice_area = 0, length = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2 p = polygon[i], q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    twice_area += p.x * q.y - p.y * q.x;
+    // Seen from a corner: from (0, 0) what cancels would be far larger than a small cell.
+    const Point2 o = polygon.front();
+    twice_area += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
     length += std::hypot(q.x - p.x, q.y - p.y);
   }
   return twice_area > 16 * DBL_EPSILON * length;

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "kernel/spatial_order.hpp"
 #include "support/delaunay_check.hpp"
+#include "support/random.hpp"
 #include "thalweg/delaunay.hpp"
 
 namespace {
@@ -45,14 +48,63 @@ TEST(SpatialOrder, DoesNotLetDuplicatesDecideHowACellIsOrdered) {
   EXPECT_EQ(sites_of(points), sites_of(twice));
 }
 
+TEST(SpatialOrder, FindsDuplicatesInACrowdedCell) {
+  support::Random random(3);
+  std::vector<Point2> points = {{0, 0}, {1, 1}};
+  for (int i = 0; i < 100; ++i) {
+    points.push_back({0.3 + 1e-9 * random.unit(), 0.7 + 1e-9 * random.unit()});
+  }
+  EXPECT_EQ(thalweg::detail::spatial_order(points, 1).site_count(), 102u);
+  points.push_back(points[50]);
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  EXPECT_EQ(order.site_count(), 102u);
+  EXPECT_FALSE(order.distinct());
+}
+
+/// Of integers in a box of 2^16 units, x in the odd bits and y in the even ones; and of the same far from
+/// zero, at other scales, and in a box that is not square.
+TEST(SpatialOrder, KeysAreTheBitsOfBothCoordinates) {
+  support::Random random(31);
+  std::vector<std::array<std::uint32_t, 2>> cells = {{0, 0}, {65536, 65536}};
+  for (int i = 0; i < 200; ++i) cells.push_back({random.below(65536), random.below(i % 2 == 0 ? 65536 : 9)});
+  for (const double scale : {1.0, 0x1p-1060, 0x1p1007, 0x1p-510, 0x1p-40}) {
+    for (const double shift : {0.0, -65536.0, 1000.0}) {
+      std::vector<Point2> points;
+      for (const auto& [x, y] : cells) points.push_back({scale * (x + shift), scale * (y + shift)});
+      std::vector<std::uint32_t> keys(points.size());
+      thalweg::detail::morton_keys(points, keys);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        std::uint32_t expected = 0;
+        for (std::uint32_t bit = 0; bit < 16; ++bit) {
+          expected |= (std::min(cells[i][0], 65535u) >> bit & 1) << (2 * bit + 1);
+          expected |= (std::min(cells[i][1], 65535u) >> bit & 1) << (2 * bit);
+        }
+        ASSERT_EQ(keys[i], expected) << scale << " " << shift << " " << cells[i][0] << " " << cells[i][1];
+      }
+    }
+  }
+}
+
+TEST(SpatialOrder, IsTheSameForAnyNumberOfThreads) {
+  auto points = support::point_set(Kind::clusters, 200000, 23);  // enough for three parts
+  points.back() = points.front();
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  for (const unsigned threads : {2u, 3u}) {
+    const auto other = thalweg::detail::spatial_order(points, threads);
+    EXPECT_TRUE(std::ranges::equal(order.rows, other.rows)) << threads;
+    EXPECT_TRUE(std::ranges::equal(order.keys, other.keys)) << threads;
+    EXPECT_EQ(order.starts, other.starts) << threads;
+  }
+}
+
 TEST(Delaunay, NamesRowsThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  const std::vector<Point2> points = {{0, 0}, {nan, 0}, {1, 0}, {0, -infinity}, {0, 1}};
+  const std::vector<Point2> points = {{infinity, 1}, {0, 0}, {nan, 0}, {1, 0}, {0, -infinity}, {0, 1}};
   const auto t = delaunay(points);
   ASSERT_FALSE(t);
   EXPECT_EQ(t.error().code, ErrorCode::not_finite);
-  EXPECT_EQ(t.error().rows, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(t.error().rows, (std::vector<std::uint32_t>{0, 2, 4}));
 }
 
 TEST(Delaunay, NeedsThreeDistinctPoints) {
@@ -115,6 +167,35 @@ TEST(Delaunay, CrowdedCellsWithinCrowdedCells) {
   }
 }
 
+TEST(Delaunay, CellsAtTheLimitOfBeingCrowded) {
+  support::Random random(5);
+  std::vector<Point2> points = {{0, 0}, {1, 1}};
+  while (points.size() < 65) {
+    points.push_back({0.3 + 1e-9 * random.unit(), 0.7 + 1e-9 * random.unit()});
+    if (points.size() < 45) continue;
+    const auto t = delaunay(points);
+    ASSERT_TRUE(t);
+    EXPECT_EQ(support::fault_of(points, *t), "") << points.size();
+  }
+}
+
+/// A crowd at the corner of boxes within boxes, one more than are looked into.
+TEST(Delaunay, CrowdBelowTheLastLevel) {
+  for (int levels = 1; levels <= 6; ++levels) {
+    support::Random random(7);
+    std::vector<Point2> points;
+    for (int level = 0; level < levels; ++level) {
+      const double size = std::ldexp(1, -20 * level);
+      points.insert(points.end(), {{size, 0}, {0, size}});
+    }
+    const double size = std::ldexp(1, -20 * levels);
+    for (int i = 0; i < 120; ++i) points.push_back({size * random.unit(), size * random.unit()});
+    const auto t = delaunay(points);
+    ASSERT_TRUE(t);
+    EXPECT_EQ(support::fault_of(points, *t), "") << levels;
+  }
+}
+
 TEST(Delaunay, FullGridInAnyOrderOfRows) {
   std::vector<Point2> rows, columns;
   for (int i = 0; i < 100; ++i) {
@@ -141,6 +222,9 @@ TEST(Delaunay, SameArraysForAnyNumberOfThreads) {
       const auto u = delaunay(points, {.threads = threads});
       ASSERT_TRUE(u);
       EXPECT_EQ(*t, *u) << threads << " threads, kind " << static_cast<int>(kind);
+      for (std::uint32_t v = 0; v < t->vertex_count(); ++v) {
+        ASSERT_EQ(t->outgoing(VertexId(v)), u->outgoing(VertexId(v))) << threads << " threads";
+      }
     }
   }
 }

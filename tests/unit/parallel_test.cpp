@@ -123,6 +123,35 @@ TEST(ParallelChunks, GiveOutNoMoreWorkAfterAnException) {
   EXPECT_EQ(met, 4u);
 }
 
+TEST(PartsOf, AreNoMoreThanThreadsAndNoneIsTooSmall) {
+  using thalweg::detail::parts_of;
+  EXPECT_EQ(parts_of(0, 10, 4), 1u);
+  EXPECT_EQ(parts_of(9, 10, 4), 1u);
+  EXPECT_EQ(parts_of(20, 10, 4), 2u);
+  EXPECT_EQ(parts_of(39, 10, 4), 3u);
+  EXPECT_EQ(parts_of(1000, 10, 4), 4u);
+  EXPECT_EQ(parts_of(1000, 10, 0), std::min(100u, resolve_threads(0)));
+}
+
+TEST(ParallelParts, AreConsecutiveAndEqual) {
+  for (const std::size_t count : {0u, 5u, 64u, 1000u}) {
+    for (const std::size_t parts : {1u, 3u, 5u, 8u}) {
+      std::vector<std::size_t> begins(parts), ends(parts);
+      thalweg::detail::parallel_parts(count, parts, [&](std::size_t i, std::size_t begin, std::size_t end) {
+        begins[i] = begin;
+        ends[i] = end;
+      });
+      EXPECT_EQ(begins.front(), 0u);
+      EXPECT_EQ(ends.back(), count);
+      for (std::size_t i = 0; i < parts; ++i) {
+        if (i > 0) EXPECT_EQ(begins[i], ends[i - 1]);
+        EXPECT_GE(ends[i] - begins[i], count / parts);
+        EXPECT_LE(ends[i] - begins[i], count / parts + 1);
+      }
+    }
+  }
+}
+
 TEST(ResolveThreads, ZeroStandsForTheMachine) {
   EXPECT_GE(resolve_threads(0), 1u);
   EXPECT_EQ(resolve_threads(1), 1u);

@@ -12,6 +12,7 @@
 #include "kernel/predicates_inline.hpp"
 #include "kernel/wide_multiply.hpp"
 #include "oracle/exact_predicates.hpp"
+#include "support/cloud.hpp"
 #include "thalweg/predicates.hpp"
 
 namespace {
@@ -288,6 +289,30 @@ TEST(PredicateStages, ProductsDecideLongTriangles) {
   EXPECT_EQ(thalweg::detail::incircle_filter(a, b, c, d), std::nullopt);
   EXPECT_EQ(thalweg::detail::incircle_grid(a, b, c, d), std::nullopt);
   EXPECT_EQ(thalweg::detail::incircle_products(a, b, c, d), MaybeSign(thalweg::incircle(a, b, c, d)));
+}
+
+/// Integer points of a circle, some near each other and some far: the determinant is nothing but rounding
+/// errors.
+TEST(PredicateStages, RoundedStagesAnswerNothingOnACircle) {
+  std::vector<Point2> circle;
+  for (const Point2 p : support::integer_circle(32045))
+    circle.push_back({39 * p.x - 2 * p.y, 39 * p.y + 2 * p.x});
+  const std::size_t n = circle.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const auto& steps : {std::array<std::size_t, 3>{1, 2, n / 2},
+                              {1, 3, n / 4},
+                              {1, n / 2, n / 2 + 1},
+                              {n / 5, n / 2, n / 2 + 20}}) {
+      std::array<std::size_t, 4> order = {i, i + steps[0], i + steps[1], i + steps[2]};
+      std::sort(order.begin(), order.end());
+      do {
+        const auto at = [&](std::size_t j) { return circle[order[j] % n]; };
+        ASSERT_EQ(thalweg::detail::incircle_filter(at(0), at(1), at(2), at(3)), std::nullopt);
+        ASSERT_EQ(thalweg::detail::incircle_products(at(0), at(1), at(2), at(3)), std::nullopt);
+        ASSERT_EQ(thalweg::detail::compare_distance_filter({0, 0}, at(0), at(1)), std::nullopt);
+      } while (std::next_permutation(order.begin(), order.end()));
+    }
+  }
 }
 
 TEST(PredicateStages, ProductsAnswerNothingBeyondTheirRange) {

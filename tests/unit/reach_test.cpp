@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -134,6 +135,150 @@ TEST(Reach, LeavesLittleOfWhatIsFarAway) {
   EXPECT_GT(bounded, 12);
 }
 
+constexpr double kTurn = 2 * 3.14159265358979323846;
+
+Point2 towards(Point2 from, double angle, double distance) {
+  return {from.x + distance * std::cos(angle), from.y + distance * std::sin(angle)};
+}
+
+/// The distance from which on all in this direction is beyond, found by halving; 0 if it is not at 2.
+double bound_of(const Reach& reach, Point2 from, double angle) {
+  double low = 0, high = 2;
+  if (!reach.is_beyond(way_between(from, towards(from, angle, high)))) return 0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (reach.is_beyond(way_between(from, towards(from, angle, middle))) ? high : low) = middle;
+  }
+  return high;
+}
+
+/// The largest distances in these directions at which a site is in reach: its inverse is the least, over the
+/// directions x of centres, of the (k + 1)-th largest w' . x over the cosine. Some directions x only.
+std::vector<double> true_reach(const Square& square, VertexId from, std::size_t k,
+                               const std::vector<double>& angles) {
+  constexpr int kCentres = 180;
+  const Point2 p = square.graph.point(from);
+  std::vector<double> nearest(angles.size(), HUGE_VAL), inverted;
+  for (int i = 0; i < kCentres; ++i) {
+    const double centre = kTurn * i / kCentres;
+    inverted.clear();
+    for (const Point2 w : square.places) {
+      const double x = w.x - p.x, y = w.y - p.y, square_length = x * x + y * y;
+      if (square_length > 0)
+        inverted.push_back((x * std::cos(centre) + y * std::sin(centre)) / square_length);
+    }
+    const auto last = inverted.begin() + static_cast<std::ptrdiff_t>(k);
+    std::nth_element(inverted.begin(), last, inverted.end(), std::greater<>());
+    for (std::size_t j = 0; j < angles.size(); ++j) {
+      const double cosine = std::cos(angles[j] - centre);
+      if (cosine > 1e-3) nearest[j] = std::min(nearest[j], *last / cosine);
+    }
+  }
+  for (double& value : nearest) value = 1 / value;
+  return nearest;
+}
+
+std::vector<double> all_around(int count) {
+  std::vector<double> angles;
+  for (int i = 0; i < count; ++i) angles.push_back(kTurn * (i + 0.37) / count);
+  return angles;
+}
+
+TEST(Reach, BoundsAreNotFarFromTheTruth) {
+  struct Looseness {
+    unsigned k;
+    double most;  // on average
+  };
+  const Square square(1000, 1);
+  const std::vector<double> angles = all_around(32);
+  for (const auto& [k, most] : {Looseness{0, 1.3}, {3, 1.32}, {16, 1.47}}) {
+    double sum = 0, count = 0;
+    for (std::uint32_t i = 0; i < 1000; i += 40) {
+      const Point2 p = square.places[i];
+      if (std::max(std::fabs(p.x - 0.5), std::fabs(p.y - 0.5)) > 0.25) continue;
+      Reach reach;
+      reach.measure(square.graph, vertex(i), k);
+      const std::vector<double> expected = true_reach(square, vertex(i), k, angles);
+      for (std::size_t j = 0; j < angles.size(); ++j) {
+        const double ratio = bound_of(reach, p, angles[j]) / expected[j];
+        EXPECT_GE(ratio, 1) << k;
+        sum += ratio;
+        ++count;
+      }
+    }
+    EXPECT_LT(sum / count, most) << k;
+  }
+}
+
+/// All sites are near enough for their order not to matter.
+TEST(Reach, BoundsTurnWithTheSites) {
+  Square square(48, 1);
+  for (const unsigned k : {8u, 12u}) {
+    for (std::uint32_t i = 0; i < 48; ++i) {
+      std::vector<Point2> turned, mirrored;
+      for (const Point2 p : square.places) {
+        turned.push_back({-p.y, p.x});
+        mirrored.push_back({p.y, p.x});
+      }
+      const auto bounds = [&](const std::vector<Point2>& places, double first, double step) {
+        const auto delaunay = thalweg::delaunay(places).value();
+        const DelaunayGraph graph(places, delaunay);
+        Reach reach;
+        reach.measure(graph, vertex(i), k);
+        std::vector<double> result;
+        for (int j = 0; j < 16; ++j) {
+          result.push_back(bound_of(reach, places[i], kTurn * (first + step * j + step / 2) / 16));
+        }
+        return result;
+      };
+      const std::vector<double> expected = bounds(square.places, 0, 1);
+      const std::vector<double> of_turned = bounds(turned, 4, 1), of_mirrored = bounds(mirrored, 4, -1);
+      for (std::size_t j = 0; j < 16; ++j) {
+        EXPECT_NEAR(of_turned[j], expected[j], 1e-9);
+        EXPECT_NEAR(of_mirrored[j], expected[j], 1e-9);
+      }
+    }
+  }
+}
+
+/// A cone is beyond if both ends of the stretch of the edge that it crosses are, and so far that the middle
+/// of the stretch is too: for rays within one sector or two that are neighbours.
+TEST(Reach, ConesAreBeyondWhereTheirEdgeIs) {
+  const Square square(600, 1);
+  const VertexId from = square.at(0.5);
+  const Point2 p = square.graph.point(from);
+  Reach reach;
+  reach.measure(square.graph, from, 3);
+  int beyond = 0, within = 0;
+  for (std::uint32_t i = 0; i < square.delaunay.halfedge_count(); ++i) {
+    const thalweg::HalfedgeId h(i);
+    const Point2 a = square.graph.point(square.delaunay.origin(h));
+    const Point2 b = square.graph.point(square.delaunay.dest(h));
+    if (thalweg::orient2d(a, b, p) <= 0) continue;
+    for (const auto& [first, last] : {std::pair{0.0, 1.0}, std::pair{0.25, 0.375}, std::pair{0.5, 1.0}}) {
+      // The rays cross the edge at a share of its length, and run through sites before it.
+      const auto way_to = [&](double share, double before) {
+        return way_between(p, {p.x + before * (a.x + share * (b.x - a.x) - p.x),
+                               p.y + before * (a.y + share * (b.y - a.y) - p.y)});
+      };
+      const auto right = way_to(first, 0.4), left = way_to(last, 0.7);
+      const unsigned gap = (left.sector - right.sector) % 16;
+      const double right_bound = bound_of(reach, p, std::atan2(right.y, right.x));
+      const double left_bound = bound_of(reach, p, std::atan2(left.y, left.x));
+      const double least = std::max(right_bound, left_bound) / std::cos(gap == 0 ? kTurn / 32 : kTurn / 16);
+      const double margin = std::min(std::sqrt(right.square) / 0.4, std::sqrt(left.square) / 0.7) / least;
+      if (std::fabs(margin - 1) < 1e-9) continue;
+      const bool expected = gap <= 1 && margin > 1;
+      EXPECT_EQ(reach.is_beyond(way_between(p, a), way_between(p, b), way_between(a, b), right, left),
+                expected)
+          << i << " " << first;
+      ++(expected ? beyond : within);
+    }
+  }
+  EXPECT_GT(beyond, 1000);
+  EXPECT_GT(within, 100);
+}
+
 TEST(Reach, IsNotBoundedAtTheRim) {
   Cloud bowl;
   for (int i = 0; i < 60; ++i) bowl.points.push_back({double(i), double(i) * i, 0});
@@ -173,7 +318,8 @@ TEST(Reach, GivesUpAtAHub) {
 /// Lengths whose squares or inverses are out of range may prove less, never more.
 TEST(Reach, FindsTheSameAtAnyScale) {
   const Square square(600, 1);
-  for (const double size : {0x1p-1000, 0x1p-600, 0x1p-190, 0x1p190, 0x1p520, 0x1p1000}) {
+  for (const double size :
+       {0x1p-1000, 0x1p-600, 0x1p-532, 0x1p-531, 0x1p-530, 0x1p-190, 0x1p190, 0x1p520, 0x1p1000}) {
     const Square scaled(600, size);
     for (const double share : {0.0, 0.3, 0.5, 1.0}) {
       EXPECT_EQ(found_from(scaled.graph, scaled.at(share), 12),

@@ -72,9 +72,21 @@ TEST(SiteIndex, FindsTheNearestOnALine) {
   }
 }
 
+TEST(SiteIndex, HoldsAsMuchAsItSays) {
+  const std::vector<Point2> points = scattered({0, 0}, 70, 40);
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  std::vector<Point2> sites;
+  for (const std::uint32_t row : order.rows) sites.push_back(points[row]);
+  const auto mesh = thalweg::detail::delaunay_of_sites(sites, order.keys, 1);
+  const double bytes = static_cast<double>(SiteIndex(sites, &*mesh).memory_bytes());
+  // 44 on the lowest level, and a 23rd of that, and of a number more, on those above.
+  EXPECT_GT(bytes / static_cast<double>(sites.size()), 46);
+  EXPECT_LT(bytes / static_cast<double>(sites.size()), 47);
+}
+
 /// From so far that only the direction counts, the nearest is the end of the arm of a cross.
 TEST(SiteIndex, FindsTheOutermostFromFarAway) {
-  for (const Point2 middle : {Point2{0, 0}, Point2{4096, -8192}}) {
+  for (const Point2 middle : {Point2{0, 0}, Point2{4096, -8192}, Point2{0x1p50, -0x1p50}}) {
     std::vector<Point2> points;
     for (int i = -100; i <= 100; ++i) {
       points.push_back({middle.x + i, middle.y});
@@ -86,10 +98,10 @@ TEST(SiteIndex, FindsTheOutermostFromFarAway) {
     const auto mesh = thalweg::detail::delaunay_of_sites(sites, order.keys, 1);
     const SiteIndex index(sites, &*mesh);
     for (const double far : {1e6, 1e100, 1e300}) {
-      EXPECT_EQ(sites[index.near({far, middle.y})], (Point2{middle.x + 100, middle.y}));
-      EXPECT_EQ(sites[index.near({-far, middle.y})], (Point2{middle.x - 100, middle.y}));
-      EXPECT_EQ(sites[index.near({middle.x, far})], (Point2{middle.x, middle.y + 100}));
-      EXPECT_EQ(sites[index.near({middle.x, -far})], (Point2{middle.x, middle.y - 100}));
+      EXPECT_EQ(sites[index.near({middle.x + far, middle.y})], (Point2{middle.x + 100, middle.y}));
+      EXPECT_EQ(sites[index.near({middle.x - far, middle.y})], (Point2{middle.x - 100, middle.y}));
+      EXPECT_EQ(sites[index.near({middle.x, middle.y + far})], (Point2{middle.x, middle.y + 100}));
+      EXPECT_EQ(sites[index.near({middle.x, middle.y - far})], (Point2{middle.x, middle.y - 100}));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,13 @@ void replace_diagonal(Triangulation& t, HalfedgeId h) {
   t.replace(olds, std::vector<Triangle>{{d, c, a}, {c, d, b}});
 }
 
+bool same_outgoing(const Triangulation& a, const Triangulation& b) {
+  for (std::uint32_t v = 0; v < a.vertex_count(); ++v) {
+    if (a.outgoing(support::vertex(v)) != b.outgoing(support::vertex(v))) return false;
+  }
+  return true;
+}
+
 TEST(TriangulationRevision, OfNothingIsNothing) {
   const Triangulation none;
   const Triangulation revision = Triangulation::revision_of(none);
@@ -49,6 +57,30 @@ TEST(TriangulationRevision, UnchangedIsEqualAndHasNoRevisedFaces) {
   EXPECT_TRUE(revision.revised_faces().empty());
 }
 
+/// A revision copies stretches of 16 half-edges.
+TEST(TriangulationRevision, RevisedFacesAreNoMoreThanThoseOfTheStretchesEdited) {
+  support::Cloud cloud;
+  for (int i = 0; i < 400; ++i) cloud.points.push_back({double(i % 20 * 10 + i / 20 % 3), i / 20 * 10.0, 0});
+  const support::Prepared p(cloud);
+  const Triangulation& base = p.delaunay;
+  for (std::uint32_t i = 0; i < base.halfedge_count(); i += 50) {
+    const HalfedgeId h(i);
+    if (!support::flippable(p.sites, base, h)) continue;
+    Triangulation revision = Triangulation::revision_of(base);
+    revision.flip(h);
+    std::set<std::uint32_t> expected;
+    for (std::uint32_t j = 0; j < base.halfedge_count(); ++j) {
+      const HalfedgeId g(j);
+      if (base.origin(g) == revision.origin(g) && base.twin(g) == revision.twin(g)) continue;
+      const std::uint32_t begin = j / 16 * 16, end = std::min(begin + 16, base.halfedge_count());
+      for (std::uint32_t k = begin; k < end; ++k) expected.insert(k / 3);
+    }
+    std::set<std::uint32_t> found;
+    for (const FaceId f : revision.revised_faces()) found.insert(f.index());
+    EXPECT_EQ(found, expected) << i;
+  }
+}
+
 RC_GTEST_PROP(TriangulationRevisionLaws, EditsAreThoseOfACopyAndTheBaseStays, ()) {
   const auto cloud = *support::clouds(40);
   const auto sites = sites_of(cloud);
@@ -66,6 +98,7 @@ RC_GTEST_PROP(TriangulationRevisionLaws, EditsAreThoseOfACopyAndTheBaseStays, ()
     }
     RC_ASSERT(revision == copy);
     RC_ASSERT(copy == revision);
+    RC_ASSERT(same_outgoing(copy, revision));
   }
   RC_ASSERT(revision.find_fault() == std::nullopt);
   RC_ASSERT(base == untouched);
@@ -87,6 +120,7 @@ RC_GTEST_PROP(TriangulationRevisionLaws, EditsAreThoseOfACopyAndTheBaseStays, ()
   base.take(std::move(revision));
   RC_ASSERT(!base.is_revision());
   RC_ASSERT(base == copy);
+  RC_ASSERT(same_outgoing(base, copy));
   RC_ASSERT(std::ranges::equal(base.origins(), copy.origins()));
 }
 
