@@ -144,7 +144,9 @@ TEST(ParallelParts, AreConsecutiveAndEqual) {
       EXPECT_EQ(begins.front(), 0u);
       EXPECT_EQ(ends.back(), count);
       for (std::size_t i = 0; i < parts; ++i) {
-        if (i > 0) EXPECT_EQ(begins[i], ends[i - 1]);
+        if (i > 0) {
+          EXPECT_EQ(begins[i], ends[i - 1]);
+        }
         EXPECT_GE(ends[i] - begins[i], count / parts);
         EXPECT_LE(ends[i] - begins[i], count / parts + 1);
       }
