@@ -190,7 +190,8 @@ class THALWEG_EXPORT Triangulation {
   /// revision.
   std::span<const std::uint32_t> twins() const noexcept { return twin_; }
 
-  /// Whether both have the same half-edges under the same ids, shared or not. Complexity: O(m).
+  /// Whether both have as many vertices and the same half-edges under the same ids, shared or not; not which
+  /// of the half-edges out of a vertex `outgoing` names. Complexity: O(m).
   friend bool operator==(const Triangulation& a, const Triangulation& b) noexcept;
 
  private:

@@ -27,7 +27,8 @@ struct Box {
 };
 
 Box box_of(std::span<const Point2> points, unsigned threads) {
-  const Box first{points[0].x, points[0].x, points[0].y, points[0].y};
+  const auto [x, y] = points.front();
+  const Box first{x, x, y, y};
   std::vector<Box> boxes(parts_of(points.size(), kThreadPoints, threads), first);
   parallel_parts(points.size(), boxes.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     Box box = first;

@@ -184,7 +184,7 @@ void Triangulation::take(Triangulation&& revision) {
 }
 
 bool operator==(const Triangulation& a, const Triangulation& b) noexcept {
-  if (a.halfedge_count() != b.halfedge_count() || a.outgoing_ != b.outgoing_) return false;
+  if (a.halfedge_count() != b.halfedge_count() || a.vertex_count() != b.vertex_count()) return false;
   if (!a.is_revision() && !b.is_revision()) return a.origin_ == b.origin_ && a.twin_ == b.twin_;
   for (std::uint32_t i = 0; i < a.halfedge_count(); ++i) {
     const HalfedgeId h(i);

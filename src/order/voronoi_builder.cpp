@@ -81,7 +81,6 @@ void VoronoiBuilder::take_map(OrderKVoronoi& diagram, VoronoiMap map) {
     }
     diagram.outgoing_.push_back(order.place[3 * v]);
   }
-  if (map.old_count == map.vertex_count()) diagram.old_count_ = diagram.vertex_count();
   for (std::uint32_t c = 0; c <= diagram.cell_count(); ++c) {
     for (std::uint32_t h = diagram.first_[c]; h < diagram.first_[c + 1]; ++h) {
       diagram.halfedges_[diagram.halfedges_[h].twin].across = c;

@@ -52,11 +52,9 @@ struct VoronoiMap {
   std::uint32_t gain(std::uint32_t h) const noexcept { return corner[is_new(h) ? h : turn_ccw(h)]; }
   /// The site that the face of h has and the face across has not.
   std::uint32_t loss(std::uint32_t h) const noexcept { return corner[is_new(h) ? turn_ccw(h) : h]; }
-  /// Whether the left of h is no cell but the outside of the map.
-  bool outside(std::uint32_t h) const noexcept {
-    if (is_new(h)) return corner[turn_ccw(h)] == kInfinity;
-    return corner[h] == kInfinity || corner[turn_cw(h)] == kInfinity;
-  }
+  /// Whether the left of h is no cell but the outside of the map. Requires: h leaves a vertex that is new or
+  /// not at infinity.
+  bool outside(std::uint32_t h) const noexcept { return corner[turn_ccw(h)] == kInfinity; }
 };
 
 /// The diagram of order 1: the dual of the canonical Delaunay triangulation.

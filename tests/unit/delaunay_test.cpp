@@ -45,14 +45,27 @@ TEST(SpatialOrder, DoesNotLetDuplicatesDecideHowACellIsOrdered) {
   EXPECT_EQ(sites_of(points), sites_of(twice));
 }
 
+TEST(SpatialOrder, IsTheSameForAnyNumberOfThreads) {
+  for (const Kind kind : {Kind::uniform, Kind::clusters}) {
+    const auto points = support::point_set(kind, 200000, 23);  // enough for three parts
+    const auto order = thalweg::detail::spatial_order(points, 1);
+    for (const unsigned threads : {2u, 3u, 8u}) {
+      const auto other = thalweg::detail::spatial_order(points, threads);
+      EXPECT_TRUE(std::ranges::equal(order.rows, other.rows)) << threads;
+      EXPECT_TRUE(std::ranges::equal(order.keys, other.keys)) << threads;
+      EXPECT_EQ(order.starts, other.starts) << threads;
+    }
+  }
+}
+
 TEST(Delaunay, NamesRowsThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  const std::vector<Point2> points = {{0, 0}, {nan, 0}, {1, 0}, {0, -infinity}, {0, 1}};
+  const std::vector<Point2> points = {{infinity, 1}, {0, 0}, {nan, 0}, {1, 0}, {0, -infinity}, {0, 1}};
   const auto t = delaunay(points);
   ASSERT_FALSE(t);
   EXPECT_EQ(t.error().code, ErrorCode::not_finite);
-  EXPECT_EQ(t.error().rows, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(t.error().rows, (std::vector<std::uint32_t>{0, 2, 4}));
 }
 
 TEST(Delaunay, NeedsThreeDistinctPoints) {
@@ -141,6 +154,9 @@ TEST(Delaunay, SameArraysForAnyNumberOfThreads) {
       const auto u = delaunay(points, {.threads = threads});
       ASSERT_TRUE(u);
       EXPECT_EQ(*t, *u) << threads << " threads, kind " << static_cast<int>(kind);
+      for (std::uint32_t v = 0; v < t->vertex_count(); ++v) {
+        ASSERT_EQ(t->outgoing(VertexId(v)), u->outgoing(VertexId(v))) << threads << " threads";
+      }
     }
   }
 }

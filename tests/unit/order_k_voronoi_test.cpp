@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/exact_predicates.hpp"
 #include "oracle/voronoi.hpp"
 #include "support/cloud.hpp"
 #include "thalweg/circle_count.hpp"
@@ -304,6 +305,54 @@ TEST(OrderKVoronoi, OfManySitesDoesNotDependOnThreads) {
   }
 }
 
+/// Around (0, 0), from one angle to another, nearly on a circle; so that (0, 0) has all of them for
+/// neighbours.
+std::vector<Point2> hub(int spokes, double from, double to) {
+  Random random(41);
+  std::vector<Point2> points = {{0, 0}};
+  for (int i = 0; i < spokes; ++i) {
+    const double angle = from + (to - from) * (i + random.unit() / 4) / spokes;
+    const double radius = 1e6 * (1 + random.unit() / 1024);
+    points.push_back({std::floor(radius * std::cos(angle)), std::floor(radius * std::sin(angle))});
+  }
+  return points;
+}
+
+/// The number of sites inside the circle of a vertex, or in the half-plane of one at infinity, by definition.
+std::ptrdiff_t count_inside(const std::vector<Point2>& points, const thalweg::Triangle& circle) {
+  const Point2 a = points[circle[0].index()], b = points[circle[1].index()];
+  return std::count_if(points.begin(), points.end(), [&](Point2 p) {
+    if (!circle[2].valid()) return oracle::orient2d(a, b, p) > 0;
+    return oracle::incircle(a, b, points[circle[2].index()], p) > 0;
+  });
+}
+
+TEST(OrderKVoronoi, CirclesHoldAsManySitesAsTheySay) {
+  // The cell of a hub is one large hole; of the half hub it is unbounded.
+  const std::vector<std::vector<Point2>> sets = {random_points(120, 1 << 20, 43), hub(70, 0, 6.28),
+                                                 hub(70, 0.2, 2.9), hub(45, -3, 0.1)};
+  for (const auto& points : sets) {
+    for (const unsigned k : {1u, 2u, 3u, 5u}) {
+      const OrderKVoronoi diagram = diagram_of(points, k);
+      for (std::uint32_t i = 0; i < diagram.vertex_count(); ++i) {
+        const VoronoiVertexId v(i);
+        ASSERT_EQ(count_inside(points, diagram.circle(v)), diagram.inside(v)) << points.size() << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(OrderKVoronoi, OfTheSecondOrderDividesTheCellOfAHub) {
+  const auto points = hub(70, 0, 6.28);
+  const OrderKVoronoi diagram = diagram_of(points, 2);
+  std::set<VertexId> beside_hub;
+  for (std::uint32_t c = 0; c < diagram.cell_count(); ++c) {
+    const auto pair = diagram.sites(CellId(c));
+    if (pair[0] == VertexId(0)) beside_hub.insert(pair[1]);
+  }
+  EXPECT_EQ(beside_hub.size(), 70u);
+}
+
 double area(const std::vector<Point2>& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -323,6 +372,9 @@ TEST(OrderKVoronoi, PolygonsTileTheBox) {
         const auto polygon = diagram.polygon(CellId(c), box);
         const double size = area(polygon);
         total += size;
+        for (const Point2 p : polygon) {
+          EXPECT_TRUE(std::fabs(p.x - 5) <= 8 + 1e-12 && std::fabs(p.y - 3.5) <= 5.5 + 1e-12);
+        }
         if (size < 1e-6) continue;
         Point2 middle{0, 0};
         for (const Point2 p : polygon) {
@@ -348,6 +400,22 @@ TEST(OrderKVoronoi, PolygonsShareTheirCorners) {
   for (std::uint32_t v = 0; v < diagram.vertex_count(); ++v)
     finite += !diagram.at_infinity(VoronoiVertexId(v));
   EXPECT_LE(corners.size(), finite);
+}
+
+/// The middle one of nine squares whose sides are 2^-31 of the width of the box.
+TEST(OrderKVoronoi, PolygonsMayBeTiny) {
+  const double step = 0x1p-30;
+  std::vector<Point2> points;
+  for (const Point2 p : grid(3, 3)) points.push_back({0.5 + (p.x - 1) * step, 0.25 + (p.y - 1) * step});
+  const OrderKVoronoi diagram = diagram_of(points, 1);
+  std::set<std::pair<double, double>> corners, expected;
+  for (const Point2 p : diagram.polygon(diagram.locate({0.5, 0.25}), {{-1, -1}, {1, 1}})) {
+    corners.emplace(p.x, p.y);
+  }
+  for (const Point2 p : grid(2, 2)) {
+    expected.emplace(0.5 + (p.x - 0.5) * step, 0.25 + (p.y - 0.5) * step);
+  }
+  EXPECT_EQ(corners, expected);
 }
 
 TEST(OrderKVoronoi, PolygonsMayBeEmpty) {

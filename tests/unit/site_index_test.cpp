@@ -74,7 +74,7 @@ TEST(SiteIndex, FindsTheNearestOnALine) {
 
 /// From so far that only the direction counts, the nearest is the end of the arm of a cross.
 TEST(SiteIndex, FindsTheOutermostFromFarAway) {
-  for (const Point2 middle : {Point2{0, 0}, Point2{4096, -8192}}) {
+  for (const Point2 middle : {Point2{0, 0}, Point2{4096, -8192}, Point2{0x1p50, -0x1p50}}) {
     std::vector<Point2> points;
     for (int i = -100; i <= 100; ++i) {
       points.push_back({middle.x + i, middle.y});
@@ -86,10 +86,10 @@ TEST(SiteIndex, FindsTheOutermostFromFarAway) {
     const auto mesh = thalweg::detail::delaunay_of_sites(sites, order.keys, 1);
     const SiteIndex index(sites, &*mesh);
     for (const double far : {1e6, 1e100, 1e300}) {
-      EXPECT_EQ(sites[index.near({far, middle.y})], (Point2{middle.x + 100, middle.y}));
-      EXPECT_EQ(sites[index.near({-far, middle.y})], (Point2{middle.x - 100, middle.y}));
-      EXPECT_EQ(sites[index.near({middle.x, far})], (Point2{middle.x, middle.y + 100}));
-      EXPECT_EQ(sites[index.near({middle.x, -far})], (Point2{middle.x, middle.y - 100}));
+      EXPECT_EQ(sites[index.near({middle.x + far, middle.y})], (Point2{middle.x + 100, middle.y}));
+      EXPECT_EQ(sites[index.near({middle.x - far, middle.y})], (Point2{middle.x - 100, middle.y}));
+      EXPECT_EQ(sites[index.near({middle.x, middle.y + far})], (Point2{middle.x, middle.y + 100}));
+      EXPECT_EQ(sites[index.near({middle.x, middle.y - far})], (Point2{middle.x, middle.y - 100}));
     }
   }
 }

@@ -30,6 +30,13 @@ void replace_diagonal(Triangulation& t, HalfedgeId h) {
   t.replace(olds, std::vector<Triangle>{{d, c, a}, {c, d, b}});
 }
 
+bool same_outgoing(const Triangulation& a, const Triangulation& b) {
+  for (std::uint32_t v = 0; v < a.vertex_count(); ++v) {
+    if (a.outgoing(support::vertex(v)) != b.outgoing(support::vertex(v))) return false;
+  }
+  return true;
+}
+
 TEST(TriangulationRevision, OfNothingIsNothing) {
   const Triangulation none;
   const Triangulation revision = Triangulation::revision_of(none);
@@ -66,6 +73,7 @@ RC_GTEST_PROP(TriangulationRevisionLaws, EditsAreThoseOfACopyAndTheBaseStays, ()
     }
     RC_ASSERT(revision == copy);
     RC_ASSERT(copy == revision);
+    RC_ASSERT(same_outgoing(copy, revision));
   }
   RC_ASSERT(revision.find_fault() == std::nullopt);
   RC_ASSERT(base == untouched);
@@ -87,6 +95,7 @@ RC_GTEST_PROP(TriangulationRevisionLaws, EditsAreThoseOfACopyAndTheBaseStays, ()
   base.take(std::move(revision));
   RC_ASSERT(!base.is_revision());
   RC_ASSERT(base == copy);
+  RC_ASSERT(same_outgoing(base, copy));
   RC_ASSERT(std::ranges::equal(base.origins(), copy.origins()));
 }
 

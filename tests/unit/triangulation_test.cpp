@@ -203,11 +203,41 @@ TEST(TriangulationFromArrays, EqualsTheOneMadeFromTriangles) {
   EXPECT_EQ(again.find_fault(), std::nullopt);
 }
 
-TEST(TriangulationEquality, SeesOriginTwinAndVertexCount) {
+void expect_different(const Triangulation& a, const Triangulation& b) {
+  EXPECT_NE(a, b);
+  EXPECT_NE(Triangulation::revision_of(a), b);
+  EXPECT_NE(a, Triangulation::revision_of(b));
+}
+
+TEST(TriangulationEquality, SeesOriginTwinAndBothCounts) {
   const Triangulation t = house();
-  EXPECT_NE(t, *make({tri(1, 2, 0), tri(2, 3, 0), tri(4, 0, 3), tri(4, 1, 0), tri(5, 2, 1)}, 6));
-  EXPECT_NE(t, *make({tri(0, 1, 2), tri(2, 3, 0), tri(4, 0, 3), tri(4, 1, 0), tri(5, 2, 1)}, 7));
+  const std::vector<std::uint32_t> no_twins(t.halfedge_count(), HalfedgeId::kInvalid);
+  const Triangulation others[] = {
+      *make({tri(1, 2, 0), tri(2, 3, 0), tri(4, 0, 3), tri(4, 1, 0), tri(5, 2, 1)}, 6),
+      *make({tri(0, 1, 2), tri(2, 3, 0), tri(4, 0, 3), tri(4, 1, 0), tri(5, 2, 1)}, 7),
+      *make({tri(0, 1, 2), tri(2, 3, 0), tri(4, 0, 3), tri(4, 1, 0)}, 6),
+      Triangulation::from_arrays(t.origins(), no_twins, 6),
+  };
+  for (const Triangulation& other : others) {
+    expect_different(t, other);
+    expect_different(other, t);
+  }
+  expect_different(*make({tri(0, 1, 2)}, 3), *make({tri(1, 2, 0)}, 3));
   EXPECT_EQ(Triangulation(), Triangulation());
+}
+
+/// Which one it is depends on the edits made, and arrays do not say it.
+TEST(TriangulationEquality, DoesNotSeeWhichHalfedgeLeavesAVertex) {
+  using Numbers = thalweg::detail::Array<std::uint32_t>;
+  const Triangulation t = house();
+  Numbers outgoing;
+  for (std::uint32_t v = 0; v < 6; ++v) outgoing.push_back(t.outgoing(VertexId(v)).index());
+  outgoing[0] = t.find_halfedge(VertexId(0), VertexId(2)).index();
+  const Triangulation other = thalweg::detail::linked(Numbers(t.origins().begin(), t.origins().end()),
+                                                      Numbers(t.twins().begin(), t.twins().end()), outgoing);
+  EXPECT_EQ(other.find_fault(), std::nullopt);
+  ASSERT_NE(other.outgoing(VertexId(0)), t.outgoing(VertexId(0)));
+  EXPECT_EQ(other, t);
 }
 
 /// Arrays that are broken in one way each; the message names the place.
@@ -231,6 +261,11 @@ TEST_F(FindFault, NoneInASoundMesh) {
 
 TEST_F(FindFault, ArraysOfDifferentLength) {
   twin_.push_back(kNone);
+  EXPECT_EQ(fault(4), "arrays of half-edges differ in length");
+}
+
+TEST_F(FindFault, NoTwinsAtAll) {
+  twin_.clear();
   EXPECT_EQ(fault(4), "arrays of half-edges differ in length");
 }
 
