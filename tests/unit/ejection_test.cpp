@@ -48,6 +48,20 @@ RC_GTEST_PROP(InsertChains, NeverMakesItWorseAndKeepsTheOrder, ()) {
   RC_ASSERT(std::all_of(orders.begin(), orders.end(), [k](std::uint32_t order) { return order <= k; }));
 }
 
+RC_GTEST_PROP(InsertChains, TakesBackWhatGainsNothing, ()) {
+  const support::Cloud cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto k = *rc::gen::inRange(0u, 8u);
+  Outcome outcome = delaunay_of(surface);
+  outcome.circle_counts = 5;
+  insert_overlapping(surface, find_exits(surface, k, 1, nullptr), k, Watch(), outcome);
+  const Outcome before = outcome;
+  insert_chains(surface, k, Watch(), outcome);
+  RC_ASSERT(outcome.circle_counts >= before.circle_counts);
+  RC_ASSERT((outcome.pits < before.pits) == (outcome.insertions > before.insertions));
+  if (outcome.pits == before.pits) RC_ASSERT(outcome.triangulation == before.triangulation);
+}
+
 /// Places and heights at random, until chains have found what single insertions could not.
 TEST(InsertChains, FindsWhatSingleInsertionsCannot) {
   std::uint64_t state = 1;

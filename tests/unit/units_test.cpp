@@ -325,6 +325,38 @@ TEST(Assignment, GivesUpWithAValidBound) {
   }
 }
 
+/// Each unit could take an exit that is in the way of the next one, and had better not. Unit by unit the good
+/// exits turn out to be free, for units that are settled are in nobody's way; if all lead to the last unit,
+/// as soon as that is settled. Not even a long chain needs a search, which would take exponential time.
+TEST(Assignment, SettlesChainsWithoutASearch) {
+  constexpr std::uint32_t kLast = 60;
+  for (const bool to_last : {false, true}) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> exits;
+    std::vector<ExitPair> pairs;
+    for (std::uint32_t u = 0; u < kLast; ++u) {
+      const std::uint32_t bad = 2 * u, good = bad + 1;
+      exits.emplace_back(u, kNone);
+      exits.emplace_back(u, to_last ? kLast : kNone);
+      if (u > 0) pairs.insert(pairs.end(), {{bad - 2, bad}, {bad - 2, good}});
+    }
+    exits.emplace_back(kLast, kNone);
+    const Problem problem(kLast + 1, exits, pairs);
+    const Assignment assignment = solve_assignment(problem.units, problem.crossings);
+    EXPECT_TRUE(assignment.complete);
+    EXPECT_EQ(assignment.bound, 0u);
+    EXPECT_EQ(assignment.chosen.size(), kLast + 1);
+  }
+}
+
+/// Level exits may lead to a unit that has none itself.
+TEST(Assignment, LeadsToUnitsThatStayPits) {
+  const Problem problem(3, {{1, 0}, {2, 0}, {2, 1}}, {{0, 1}});
+  const Assignment assignment = solve_assignment(problem.units, problem.crossings);
+  EXPECT_TRUE(assignment.complete);
+  EXPECT_EQ(assignment.bound, 1u);
+  EXPECT_EQ(assignment.chosen, (std::vector<std::uint32_t>{0, 2}));
+}
+
 /// Three units in a ring of level exits, each of which crosses what leads another ring of three round: two
 /// of each ring can be served at most, which the bound knows without a search.
 TEST(Assignment, BoundKnowsOfRings) {
