@@ -395,6 +395,15 @@ TEST(SweepPits, RefusesAnEmptyRange) {
   EXPECT_EQ(refused.error().code, ErrorCode::invalid_argument);
 }
 
+TEST(SweepPits, TakesAMillionOrders) {
+  const auto sweep = sweep_pits(dammed_valley(), 1, 1'000'000);
+  ASSERT_TRUE(sweep);
+  ASSERT_EQ(sweep->rows.size(), 1'000'000u);
+  EXPECT_EQ(sweep->rows.back().order, 1'000'000u);
+  EXPECT_EQ(sweep->rows.back().best, 1u);
+  EXPECT_EQ(sweep_pits(dammed_valley(), 0, 1'000'000).error().code, ErrorCode::invalid_argument);
+}
+
 TEST(SweepPits, EqualsEveryRunByItself) {
   const auto sweep = sweep_pits(crossroads(), 1, 30);
   ASSERT_TRUE(sweep);
