@@ -11,9 +11,9 @@ equivalent.txt lists mutants that change nothing that a test could see, each wit
 others, but not tried again, and counted apart."""
 
 import argparse
+import hashlib
 import json
 import os
-import random
 import re
 import resource
 import shutil
@@ -249,6 +249,12 @@ def key(mutant, text):
     return f'{mutant["file"]}|{text}|{mutant["column"]}|{mutant["what"]}'
 
 
+def lot(mutant, texts, seed):
+    """What samples are drawn by. Depends on the mutant alone, so that a sample stays the same while other lines change."""
+    text = texts[mutant["file"]][mutant["line"] - 1].strip()
+    return hashlib.sha256(f"{seed}|{key(mutant, text)}".encode()).digest()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
@@ -294,9 +300,8 @@ def main():
     chosen = []
     for layer in LAYERS:
         of_layer = [m for m in mutants if m["file"].startswith(f"src/{layer}/")]
-        random.Random(options.seed).shuffle(of_layer)
         of_layer = [m for m in of_layer if m["n"] in reaching or m["n"] not in no_meaning]
-        of_layer.sort(key=lambda m: named(m) not in results)  # what was tried before stays in the sample
+        of_layer.sort(key=lambda m: lot(m, texts, options.seed))
         chosen.append(of_layer[:options.sample or None])
     # One of each layer in turn, so that a run that is stopped has seen as much of each.
     queue = [m for turn in range(max(map(len, chosen))) for part in chosen for m in part[turn:turn + 1]]
