@@ -353,6 +353,9 @@ TEST(Corollary2, RefusesWhatIsTooLargeOrCollinear) {
       corollary2_instance(Segments{{{0, 0}, {5, 9}}, {{2, 0}, {7, 3}}, {{40, 0}, {9, 11}}});
   ASSERT_FALSE(collinear);
   EXPECT_EQ(collinear.error().rows, (std::vector<std::uint32_t>{0, 1, 2}));
+  const auto slanted = corollary2_instance(Segments{{{1, 2}, {5, 9}}, {{30, 1}, {4, 4}}, {{7, 6}, {9, -11}}});
+  ASSERT_FALSE(slanted);
+  EXPECT_EQ(slanted.error().rows, (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 /// The square of the radius of the circle through three sites.
@@ -426,9 +429,13 @@ std::uint64_t digest(const HardInstance& instance) {
 
 TEST(HardInstances, AreTheSameOnEveryMachine) {
   const Segments comb = {{{0, 0}, {40, 3}}, {{5, -5}, {6, 7}}, {{15, -6}, {16, 9}}, {{25, -7}, {24, 8}}};
+  // An end near the middle of another segment; two ends of one segment near each other.
+  const Segments near = {{{0, 0}, {1000, 0}}, {{500, 3}, {500, 900}}};
+  const Segments shorter = {{{0, 0}, {1, 2}}, {{50, 60}, {90, -30}}};
   const Segments in_a_row = {{{0, 0}, {0, 5}}, {{1, 0}, {1, 4}}, {{2, 0}, {2, 3}}, {{3, 0}, {4, 5}}};
   std::uint64_t first = 0, second = 0;
-  for (const Segments& segments : {comb, in_a_row}) first ^= digest(theorem1_instance(segments).value());
+  for (const Segments& segments : {comb, in_a_row, near, shorter})
+    first ^= digest(theorem1_instance(segments).value());
   for (std::uint32_t n = 2; n <= 5; ++n) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const Segments segments = random_segments(n, seed);

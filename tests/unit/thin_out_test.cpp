@@ -127,7 +127,10 @@ TEST(ThinOut, FillsAnyStar) {
       for (std::size_t w = 0; w < v; ++w) general = general && !flat(v, w);
       is_convex = is_convex && orient2d(ring[v], ring[(v + 1) % n], ring[(v + 2) % n]) > 0;
     }
-    if (!general) continue;
+    if (thin == whole) {
+      ASSERT_FALSE(general);
+      continue;
+    }
     ASSERT_EQ(thin.size(), n - 2);
     const auto s = oracle::sites_of(std::span<const Point2>(star));
     std::int64_t area = 0;
@@ -136,6 +139,9 @@ TEST(ThinOut, FillsAnyStar) {
       area -= oracle::area(s[thin[a][0]], s[thin[a][1]], s[thin[a][2]]);
       ASSERT_GT(oracle::turn(s[thin[a][0]], s[thin[a][1]], s[thin[a][2]]), 0);
       for (std::size_t b = 0; b < a; ++b) ASSERT_FALSE(oracle::share_area(s, thin[a], thin[b]));
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_TRUE(oracle::is_open_pair(std::span(s).subspan(1), thin[a][c] - 1, thin[a][(c + 1) % 3] - 1));
+      }
       for (std::size_t v = 1; is_convex && v <= n; ++v)
         ASSERT_LE(oracle::in_circle(s[thin[a][0]], s[thin[a][1]], s[thin[a][2]], s[v]), 0);
     }

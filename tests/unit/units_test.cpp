@@ -17,6 +17,8 @@
 #include "support/random_mesh.hpp"
 #include "support/surface.hpp"
 #include "terrain/assign.hpp"
+#include "terrain/best.hpp"
+#include "terrain/hull.hpp"
 #include "thalweg/circle_count.hpp"
 
 namespace {
@@ -26,12 +28,14 @@ using support::vertex;
 using thalweg::Point2;
 using thalweg::Point3;
 using thalweg::detail::Assignment;
+using thalweg::detail::best_pits;
 using thalweg::detail::cross_properly;
 using thalweg::detail::Crossings;
 using thalweg::detail::ExitPair;
 using thalweg::detail::find_exits;
 using thalweg::detail::find_units;
 using thalweg::detail::insert_assignment;
+using thalweg::detail::insert_hulls;
 using thalweg::detail::make_plan;
 using thalweg::detail::meeting_pairs;
 using thalweg::detail::Plan;
@@ -180,6 +184,30 @@ RC_GTEST_PROP(CrossingsLaws, AreTheDefinition, ()) {
     RC_ASSERT(std::vector<std::uint32_t>(found.begin(), found.end()) == crossed);
   }
   RC_ASSERT(meeting_pairs(surface, units.exits) == meeting);
+}
+
+/// Thousands of exits through one triangle are not looked at pair by pair.
+TEST(Crossings, AreNotKnownOfTooMany) {
+  const Surface surface = surface_of(support::dammed_valley());
+  const std::vector<UnitExit> exits(6400, {{vertex(0), vertex(1), 1}, 0, kNone});
+  EXPECT_EQ(meeting_pairs(surface, exits), std::nullopt);
+  const Crossings crossings(surface, exits);
+  EXPECT_FALSE(crossings.complete());
+  EXPECT_TRUE(crossings.of(0).empty());
+}
+
+/// Every other site of a large cocircular face is a pit, and all of these have ways to each other.
+TEST(Plan, DoesWithTheReachBoundWhereTooManyCross) {
+  std::vector<Point3> points;
+  double z = 0;
+  for (const auto& p : support::integer_circle(32045)) points.push_back({p.x, p.y, z = 1 - z});
+  const Surface surface = surface_of(points);
+  const auto exits = find_exits(surface, 0, 1, nullptr);
+  const Plan plan = make_plan(surface, exits, 0, Watch());
+  EXPECT_FALSE(plan.crossings.complete());
+  EXPECT_FALSE(plan.assignment.complete);
+  EXPECT_EQ(plan.bound, 1u);
+  EXPECT_LE(best_pits(surface, exits, plan, 0, Watch()).pits, insert_hulls(surface, exits, 0, Watch()).pits);
 }
 
 /// The size of the largest assignment, by trying every exit of every unit, as far as `steps` go.
