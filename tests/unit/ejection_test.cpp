@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "kernel/edge_insertion.hpp"
+#include "oracle/terrain.hpp"
 #include "support/cloud.hpp"
+#include "support/prepared.hpp"
 #include "support/surface.hpp"
 #include "terrain/ejection.hpp"
 #include "terrain/flats.hpp"
@@ -29,6 +31,10 @@ using thalweg::detail::insert_overlapping;
 using thalweg::detail::Outcome;
 using thalweg::detail::Surface;
 using thalweg::detail::Watch;
+
+std::vector<oracle::Tri> shape(const thalweg::Triangulation& t) {
+  return oracle::normal_form(support::triangles_of(t));
+}
 
 Outcome delaunay_of(const Surface& surface) {
   Outcome outcome;
@@ -64,7 +70,7 @@ RC_GTEST_PROP(InsertChains, TakesBackWhatGainsNothing, ()) {
   insert_chains(surface, k, Watch(), outcome);
   RC_ASSERT(outcome.circle_counts >= before.circle_counts);
   RC_ASSERT((outcome.pits < before.pits) == (outcome.insertions > before.insertions));
-  if (outcome.pits == before.pits) RC_ASSERT(outcome.triangulation == before.triangulation);
+  if (outcome.pits == before.pits) RC_ASSERT(shape(outcome.triangulation) == shape(before.triangulation));
 }
 
 /// Chains of one insertion are chains.
@@ -99,7 +105,7 @@ RC_GTEST_PROP(InsertChains, InsertExitsOfPits, ()) {
     RC_ASSERT(insertion.plan(t, surface.sites(), step.u, step.v));
     insertion.apply(t);
   }
-  RC_ASSERT(t == outcome.triangulation);
+  RC_ASSERT(shape(t) == shape(outcome.triangulation));
 }
 
 TEST(InsertChains, StopWhenCancelled) {
