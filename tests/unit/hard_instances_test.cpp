@@ -436,6 +436,12 @@ TEST(HardInstances, AreTheSameOnEveryMachine) {
   std::uint64_t first = 0, second = 0;
   for (const Segments& segments : {comb, in_a_row, near, shorter})
     first ^= digest(theorem1_instance(segments).value());
+  // Shields that are collinear at first; guards of two pairs in one row.
+  const Segments parallel = {{{4, 2}, {16, 3}}, {{7, -5}, {19, -4}}};
+  const Segments in_one_row = {{{0, 11}, {7, 12}}, {{11, 4}, {3, 5}}};
+  for (const Segments& segments : {parallel, in_one_row}) {
+    second ^= digest(corollary2_instance(segments).value());
+  }
   for (std::uint32_t n = 2; n <= 5; ++n) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const Segments segments = random_segments(n, seed);
@@ -445,7 +451,7 @@ TEST(HardInstances, AreTheSameOnEveryMachine) {
     }
   }
   EXPECT_EQ(first, 7631822104016459432u);
-  EXPECT_EQ(second, 6506198423339087968u);
+  EXPECT_EQ(second, 11600242632413231200u);
 }
 
 TEST(Theorem1, RefusesTooLargeCoordinatesInAnySegment) {
