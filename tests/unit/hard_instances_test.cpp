@@ -220,7 +220,12 @@ TEST(Theorem1, ShieldsThePairsWithNoEndBetween) {
   const Segments upright = {{{0, 0}, {0, 5}}, {{1, 0}, {1, 4}}, {{2, 0}, {2, 3}}, {{3, 0}, {4, 5}}};
   Segments lying = upright;
   for (auto& s : lying) s = {{s.a.y, s.a.x}, {s.b.y, s.b.x}};
-  for (const Segments& segments : {upright, lying}) {
+  Segments lattice;
+  for (std::int64_t x = 0; x < 4; ++x) {
+    lattice.push_back({{x, 0}, {x, 1}});
+    lattice.push_back({{x, 3}, {x, 2}});
+  }
+  for (const Segments& segments : {upright, lying, lattice}) {
     std::vector<LatticePoint> ends;
     for (const auto& s : segments) ends.insert(ends.end(), {s.a, s.b});
     const auto between = [&](LatticePoint r, LatticePoint p, LatticePoint q) {

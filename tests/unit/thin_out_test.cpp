@@ -110,6 +110,7 @@ TEST(ThinOut, FillsAnyStar) {
     const std::vector<Point2> star = random_star(n, random);
     std::vector<ThinTriangle> whole;
     for (std::uint32_t v = 1; v <= n; ++v) whole.push_back({0, v, v == n ? 1 : v + 1});
+    for (ThinTriangle& t : whole) std::rotate(t.begin(), t.begin() + random.below(3), t.end());
     std::rotate(whole.begin(), whole.begin() + random.below(static_cast<std::uint32_t>(n)), whole.end());
     const auto thin = detail::thin_out(star, whole, std::vector<std::uint8_t>(n + 1, 0), 1);
     if (n == 13) {
