@@ -84,7 +84,8 @@ Defined units_by_definition(const Surface& surface, std::span<const oracle::Site
     Defined result{sets_without_way_down(surface, safe), {}};
     std::set<oracle::Pair> left = safe;
     for (const oracle::OrderedPair& pair : pairs) {
-      for (const auto& [p, q] : {oracle::Pair(pair.u, pair.v), oracle::Pair(pair.v, pair.u)}) {
+      for (const oracle::Pair& way : {oracle::Pair(pair.u, pair.v), oracle::Pair(pair.v, pair.u)}) {
+        const std::uint32_t p = way.first, q = way.second;
         const std::uint32_t unit = result.unit[p], other = result.unit[q];
         if (unit == kNone || s[q].z > s[p].z || (s[q].z == s[p].z && other == unit)) continue;
         result.exits.emplace(unit, pair.order, p, q, s[q].z == s[p].z ? other : kNone);
