@@ -168,7 +168,6 @@ Plan make_plan(const Surface& surface, std::span<const Exit> exits, unsigned k, 
 
 std::optional<Outcome> insert_assignment(const Surface& surface, const Plan& plan, unsigned k,
                                          const Watch& watch) {
-  if (!plan.crossings.complete()) return std::nullopt;
   Outcome outcome = insert_all(surface, plan.units, plan.assignment.chosen, watch);
   THALWEG_ASSERT(outcome.pits <= plan.assignment.pits(plan.units));
   if (is_of_order(surface, k, outcome)) return outcome;

@@ -29,7 +29,7 @@ Plan make_plan(const Surface& surface, std::span<const Exit> exits, unsigned k, 
 /// The Delaunay triangulation constrained to the exits chosen by the plan, if all its triangles have order <=
 /// k. Where they have not, exits that do not get on with each other are kept apart, and the assignment is
 /// solved again. When the pits of the result equal the bound, it is optimal: no order-k triangulation has
-/// fewer.
+/// fewer. Requires: the plan knows all crossings.
 ///
 /// At order 1, in general position, this never fails. A pair of useful order 1 crosses one Delaunay edge
 /// (sleeve_search.hpp: no more than one site on either side), so its hull is a quadrilateral of two triangles

@@ -115,7 +115,6 @@ std::vector<VertexId> Completion::apexes_at(const Edge& side) {
   std::set_intersection(of_u.begin(), of_u.end(), of_v.begin(), of_v.end(), std::back_inserter(common));
   for (const VertexId w : common) {
     if (orient2d_sign(at(u), at(v), at(w)) <= 0) continue;
-    if (has_triangle_at(v, w) || has_triangle_at(w, u)) continue;
     if (counter_.count_in_circle(u, v, w, k_) > k_) continue;
     // No site lies on a side of it, its sides having a useful order; one inside it is inside its circle.
     const auto inside = counter_.inside();
@@ -128,8 +127,10 @@ std::vector<VertexId> Completion::apexes_at(const Edge& side) {
   return apexes;
 }
 
-/// Whether the pair crosses no edge of the region. Empty triangles whose sides do not cross cannot share
-/// area, unless they are on the same side of an edge, which `has_triangle_at` excludes.
+/// Whether the pair crosses no edge of the region. Different empty triangles whose sides do not cross cannot
+/// share area. Not even two on the same side of a common edge vw, with apexes u and x: neither apex is inside
+/// the other triangle, so x is beyond uv alone or beyond uw alone, as seen from inside, and wx crosses uv, or
+/// vx crosses uw.
 bool Completion::fits(VertexId u, VertexId v) {
   return std::none_of(edges_.begin(), edges_.end(),
                       [&](const Edge& e) { return cross_properly(at(u), at(v), at(e.first), at(e.second)); });

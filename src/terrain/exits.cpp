@@ -72,8 +72,8 @@ bool at_cocircular_face(const Surface& surface, VertexId p) {
 
 /// The vertices of a pit that can have exits of order <= k: those near its shore. The sites on one side of a
 /// sleeve are a path of Delaunay edges from p to q, of at most k sites unless the whole sleeve is cocircular
-/// (sleeve_search.hpp); so the way along edges from p to ground outside the pit is at most k + 1 long. Spares
-/// a large lake a search from every vertex of it.
+/// (sleeve_search.hpp). The last of them is next to q and so not on the pit, which does not drain; so at most
+/// k - 1 edges lead from p to a vertex on the shore. Spares a large lake a search from every vertex of it.
 std::vector<VertexId> near_shore(const Surface& surface, std::span<const VertexId> pit, unsigned k) {
   constexpr std::size_t kSmall = 256;
   if (pit.size() <= kSmall) return {pit.begin(), pit.end()};
@@ -92,7 +92,7 @@ std::vector<VertexId> near_shore(const Surface& surface, std::span<const VertexI
     reached.push_back(v);
     if (on_shore) front.push_back(v);
   }
-  for (unsigned distance = 1; distance < k + 1 && !front.empty(); ++distance) {
+  for (unsigned distance = 1; distance < k && !front.empty(); ++distance) {
     std::vector<VertexId> next;
     for (const VertexId v : front) {
       for (const VertexId w : surface.graph().neighbors(v)) {

@@ -318,11 +318,12 @@ class FlipRun {
     }
   }
 
+  /// Inner edges stay inner, whatever is flipped.
   bool is_current(const Candidate& candidate) const {
     const Triangulation& t = outcome_.triangulation;
     const HalfedgeId h = candidate.halfedge;
     return t.origin(h) == candidate.a && t.dest(h) == candidate.b && t.apex(h) == candidate.c &&
-           !t.on_hull(h) && t.apex(t.twin(h)) == candidate.d;
+           t.apex(t.twin(h)) == candidate.d;
   }
 
   void flip(const Candidate& candidate, unsigned level) {

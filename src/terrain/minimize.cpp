@@ -248,7 +248,7 @@ Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigne
   Sweep sweep;
   sweep.sites = static_cast<std::uint32_t>(surface.sites().size());
   for (unsigned k = first; k <= last && !watch.stopped(); ++k) {
-    if (k > most && !sweep.rows.empty() && sweep.rows.back().order >= most) {
+    if (!sweep.rows.empty() && sweep.rows.back().order >= most) {
       sweep.rows.push_back(sweep.rows.back());
     } else {
       sweep.rows.push_back(sweep_row(surface, exits, std::min(k, most), watch));

@@ -25,11 +25,11 @@ std::int64_t dot(LatticePoint u, LatticePoint v) noexcept {
   return u.x * v.x + u.y * v.y;
 }
 
-/// The least integer that is at least |u|.
+/// The least integer that is at least |u|. Requires: u is not 0.
 std::int64_t length_up(LatticePoint u) noexcept {
   const std::int64_t square = dot(u, u);
   auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square)));
-  while (root * root >= square && root > 0) --root;
+  while (root * root >= square) --root;
   while (root * root < square) ++root;
   return root;
 }

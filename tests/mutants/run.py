@@ -5,12 +5,15 @@ and src/terrain, all of them in one build, and runs, for each of a sample, the t
     tests/mutants/run.py FOLDER [--sample N] [--seed S] [--jobs J]
 
 FOLDER holds the planted copy, its build and all results; what it has already is not done again. To see what new tests
-change, edit them and run again: only those mutants that survived are tried again. `--show` prints the survivors."""
+change, edit them and run again: only those mutants that survived are tried again. `--show` prints the survivors.
+
+equivalent.txt lists mutants that change nothing that a test could see, each with the argument. They are tried like all
+others, but not tried again, and counted apart."""
 
 import argparse
+import hashlib
 import json
 import os
-import random
 import re
 import resource
 import shutil
@@ -30,7 +33,7 @@ LAYERS = ("kernel", "order", "terrain")
 SUITES = ("unit", "property", "corpus", "truth", "faults")
 MEMORY = 6 << 30
 # Fewer cases of each property than usual: they find the same mutants, but for the rarest.
-FEWER = dict(RC_PARAMS="seed=20090601 max_success=30", THALWEG_PREDICATE_CASES="200000")
+FEWER = dict(RC_PARAMS="seed=20090601 max_success=30", THALWEG_PREDICATE_CASES="200000", THALWEG_EXACT_SETS="60")
 
 
 def read(path, otherwise):
@@ -227,8 +230,29 @@ def try_mutant(tree, tests, reaching, number):
     return None, f"{len(order)} tests"
 
 
+def argued(texts):
+    """The mutants of equivalent.txt, three lines each: file, column and what is changed; the line; the argument."""
+    found = {}
+    lines = [line for line in (HERE / "equivalent.txt").read_text().splitlines() if line and line[0] != "#"]
+    for head, text, reason in zip(lines[::3], lines[1::3], lines[2::3], strict=True):
+        file, column, what = head.split(" ", 2)
+        text, reason = text.strip(), reason.strip()
+        if not reason.startswith(("equivalent: ", "time alone: ")):
+            sys.exit(f"equivalent.txt: no argument for {head}")
+        if text not in (line.strip() for line in texts.get(file, [text])):
+            sys.exit(f"equivalent.txt: {file} has no line {text}")
+        found[file, int(column), what, text] = reason
+    return found
+
+
 def key(mutant, text):
     return f'{mutant["file"]}|{text}|{mutant["column"]}|{mutant["what"]}'
+
+
+def lot(mutant, texts, seed):
+    """What samples are drawn by. Depends on the mutant alone, so that a sample stays the same while other lines change."""
+    text = texts[mutant["file"]][mutant["line"] - 1].strip()
+    return hashlib.sha256(f"{seed}|{key(mutant, text)}".encode()).digest()
 
 
 def main():
@@ -268,12 +292,16 @@ def main():
         return key(m, texts[m["file"]][m["line"] - 1].strip() + f'|{m["line"]}')
 
     results = read(results_path, {})
+    arguments = argued(texts)
+
+    def argument(m):
+        return arguments.get((m["file"], m["column"], m["what"], texts[m["file"]][m["line"] - 1].strip()))
+
     chosen = []
     for layer in LAYERS:
         of_layer = [m for m in mutants if m["file"].startswith(f"src/{layer}/")]
-        random.Random(options.seed).shuffle(of_layer)
         of_layer = [m for m in of_layer if m["n"] in reaching or m["n"] not in no_meaning]
-        of_layer.sort(key=lambda m: named(m) not in results)  # what was tried before stays in the sample
+        of_layer.sort(key=lambda m: lot(m, texts, options.seed))
         chosen.append(of_layer[:options.sample or None])
     # One of each layer in turn, so that a run that is stopped has seen as much of each.
     queue = [m for turn in range(max(map(len, chosen))) for part in chosen for m in part[turn:turn + 1]]
@@ -283,7 +311,7 @@ def main():
         old = results.get(k)
         todo = [t for t in reaching.get(m["n"], []) if tests[t]["ms"] <= options.slowest 
                 and (not old or f"{t[0]}/{t[1]}" not in old["passed"])]
-        if not options.show and not (old and (old["end"] or not todo)):
+        if not options.show and not (old and (old["end"] or not todo or argument(m))):
             end, by = try_mutant(tree, tests, todo, m["n"]) if todo else (None, "reached by no test" if m["n"] not in reaching else "only slow ones")
             passed = (old["passed"] if old else []) + ([] if end else [f"{t[0]}/{t[1]}" for t in todo])
             results[k] = dict(end=end, by=by, passed=passed)
@@ -298,18 +326,25 @@ def main():
                 write(results_path, dict(results))
     if not options.show:
         write(results_path, dict(results))
-    report(finished, texts)
+    report([(m, r, argument(m)) for m, r in finished if r], texts)
 
 
 def report(finished, texts):
     for layer in LAYERS:
-        ends = [r for m, r in finished if r and m["file"].startswith(f"src/{layer}/")]
-        killed = sum(r["end"] is not None for r in ends)
-        print(f"{layer}: {killed} of {len(ends)} mutants die" + (f", {100 * killed / len(ends):.1f} %" if ends else ""))
-    for m, r in sorted(finished, key=lambda f: (f[0]["file"], f[0]["line"], f[0]["column"])):
-        if r and r["end"] is None:
-            print(f'{m["file"]}:{m["line"]}:{m["column"]} {m["what"]} [{len(r["passed"])} tests]\n'
-                  f'    {texts[m["file"]][m["line"] - 1].strip()}')
+        of_layer = [(r["end"] is not None, argument) for m, r, argument in finished if m["file"].startswith(f"src/{layer}/")]
+        killed = sum(dies for dies, _ in of_layer)
+        alike = sum(not dies and argument is not None for dies, argument in of_layer)
+        seen = max(len(of_layer) - alike, 1)
+        print(f"{layer}: {killed} of {len(of_layer)} mutants die, {100 * killed / max(len(of_layer), 1):.1f} %; {alike} of the "
+              f"rest change nothing that can be seen; {100 * killed / seen:.1f} % of the others")
+    for m, r, argument in sorted(finished, key=lambda f: (f[0]["file"], f[0]["line"], f[0]["column"])):
+        place = f'{m["file"]}:{m["line"]}:{m["column"]} {m["what"]}'
+        if r["end"] is None:
+            print(f'{place} [{len(r["passed"])} tests]\n    {texts[m["file"]][m["line"] - 1].strip()}')
+            if argument:
+                print(f"    {argument}")
+        elif argument:
+            print(f"{place} dies ({r['by']}), though equivalent.txt says that it cannot")
 
 
 if __name__ == "__main__":

@@ -188,6 +188,33 @@ TEST(Exhaustive, TrapsAreTraps) {
   }
 }
 
+/// Out of time, `exact` has what `best` has; a limit of 0 is none, nor is one that no clock counts to.
+TEST(Exhaustive, ExactStopsAtItsTimeLimit) {
+  const auto first = static_cast<std::uint64_t>(support::SetKind::trap);
+  for (std::uint64_t i = 0; i < 10; ++i) {
+    const DrawnSet set = support::draw_set(1, first + i * support::kSetKinds);
+    SCOPED_TRACE(printed(set.cloud));
+    const Relief relief(set.cloud.elevations());
+    const auto fewest = set.enumeration->fewest_pits(relief);
+    const auto regardless = support::fewest_pits_regardless(*set.enumeration, relief);
+    for (unsigned k = 0; k < fewest.size(); ++k) {
+      if (regardless[k] == fewest[k]) continue;
+      thalweg::MinimizeOptions options;
+      options.order = k;
+      options.method = Method::exact;
+      options.threads = 1;
+      options.time_limit = 1e-9;
+      const Minimized cut_short = thalweg::minimize_pits(set.cloud.points, options).value();
+      EXPECT_EQ(find_wrong(*set.enumeration, relief, cut_short, k, fewest[k]), std::nullopt);
+      EXPECT_FALSE(cut_short.certified);
+      for (const double limit : {0.0, 1000.0, 1e10, 1e300}) {
+        options.time_limit = limit;
+        EXPECT_TRUE(thalweg::minimize_pits(set.cloud.points, options)->certified) << limit;
+      }
+    }
+  }
+}
+
 /// Catalan numbers for convex sites.
 TEST(Enumeration, CountsTriangulationsOfPolygons) {
   std::vector<oracle::Site> sites;

@@ -56,6 +56,8 @@ TEST(CompareSteepness, IsExactBeyondTheReachOfDoubles) {
   EXPECT_EQ(compare_steepness({-1e308, 0, 1}, {1e308, 0, 0}, {1e308, 1e308, 0}), 1);
   EXPECT_EQ(compare_steepness({0, 0, 5e-324}, {1, 0, 0}, {1, 5e-324, 0}), 1);
   EXPECT_EQ(compare_steepness(from, {1, 0, 1}, {0, 1, 1}), 0);  // level ways are equally steep
+  // As far away, but x * x + y * y is rounded otherwise.
+  EXPECT_EQ(compare_steepness(from, {8362900, 392702530, 0}, {377454220, -108690050, 0}), 0);
 }
 
 RC_GTEST_PROP(CompareSteepness, AgreesWithGmp, ()) {

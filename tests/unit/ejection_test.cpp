@@ -4,12 +4,17 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
+#include "kernel/edge_insertion.hpp"
+#include "oracle/terrain.hpp"
 #include "support/cloud.hpp"
+#include "support/prepared.hpp"
 #include "support/surface.hpp"
 #include "terrain/ejection.hpp"
+#include "terrain/flats.hpp"
 #include "terrain/hull.hpp"
 #include "thalweg/circle_count.hpp"
 
@@ -18,12 +23,18 @@ namespace {
 using support::surface_of;
 using thalweg::find_pits;
 using thalweg::Point3;
+using thalweg::detail::EdgeInsertion;
 using thalweg::detail::find_exits;
+using thalweg::detail::FlatSearch;
 using thalweg::detail::insert_chains;
 using thalweg::detail::insert_overlapping;
 using thalweg::detail::Outcome;
 using thalweg::detail::Surface;
 using thalweg::detail::Watch;
+
+std::vector<oracle::Tri> shape(const thalweg::Triangulation& t) {
+  return oracle::normal_form(support::triangles_of(t));
+}
 
 Outcome delaunay_of(const Surface& surface) {
   Outcome outcome;
@@ -46,6 +57,67 @@ RC_GTEST_PROP(InsertChains, NeverMakesItWorseAndKeepsTheOrder, ()) {
   RC_ASSERT(outcome.trail.size() == outcome.insertions);
   const auto orders = thalweg::face_orders(surface.graph(), outcome.triangulation, k);
   RC_ASSERT(std::all_of(orders.begin(), orders.end(), [k](std::uint32_t order) { return order <= k; }));
+}
+
+RC_GTEST_PROP(InsertChains, TakesBackWhatGainsNothing, ()) {
+  const support::Cloud cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto k = *rc::gen::inRange(0u, 8u);
+  Outcome outcome = delaunay_of(surface);
+  outcome.circle_counts = 5;
+  insert_overlapping(surface, find_exits(surface, k, 1, nullptr), k, Watch(), outcome);
+  const Outcome before = outcome;
+  insert_chains(surface, k, Watch(), outcome);
+  RC_ASSERT(outcome.circle_counts >= before.circle_counts);
+  RC_ASSERT((outcome.pits < before.pits) == (outcome.insertions > before.insertions));
+  if (outcome.pits == before.pits) RC_ASSERT(shape(outcome.triangulation) == shape(before.triangulation));
+}
+
+/// Chains of one insertion are chains.
+RC_GTEST_PROP(InsertChains, LeaveNothingToInsert, ()) {
+  const support::Cloud cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto k = *rc::gen::inRange(0u, 8u);
+  Outcome outcome = delaunay_of(surface);
+  insert_chains(surface, k, Watch(), outcome);
+  const std::uint32_t left = outcome.pits;
+  insert_overlapping(surface, find_exits(surface, k, 1, nullptr), k, Watch(), outcome);
+  RC_ASSERT(outcome.pits == left);
+}
+
+/// Each step leads from a pit to lower ground, or to level ground outside of it.
+RC_GTEST_PROP(InsertChains, InsertExitsOfPits, ()) {
+  const support::Cloud cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto k = *rc::gen::inRange(0u, 8u);
+  Watch watch;
+  watch.keep_trail = true;
+  Outcome outcome = delaunay_of(surface);
+  insert_chains(surface, k, watch, outcome);
+  thalweg::Triangulation t = surface.delaunay();
+  FlatSearch flats(surface);
+  EdgeInsertion insertion;
+  for (const thalweg::TrailStep& step : outcome.trail) {
+    RC_ASSERT(flats.on_pit(t, step.u));
+    const auto pit = flats.flat();
+    RC_ASSERT(surface.z(step.v) <= surface.z(step.u));
+    RC_ASSERT(std::find(pit.begin(), pit.end(), step.v) == pit.end());
+    RC_ASSERT(insertion.plan(t, surface.sites(), step.u, step.v));
+    insertion.apply(t);
+  }
+  RC_ASSERT(shape(t) == shape(outcome.triangulation));
+}
+
+TEST(InsertChains, StopWhenCancelled) {
+  const Surface surface = surface_of(support::dammed_valley());
+  const std::atomic<bool> cancel{true};
+  Watch watch;
+  Outcome open = delaunay_of(surface), stopped = open;
+  insert_chains(surface, 1, watch, open);
+  EXPECT_EQ(open.pits, 1u);
+  watch.cancel = &cancel;
+  insert_chains(surface, 1, watch, stopped);
+  EXPECT_EQ(stopped.pits, 2u);
 }
 
 /// Places and heights at random, until chains have found what single insertions could not.

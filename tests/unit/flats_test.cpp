@@ -101,6 +101,33 @@ TEST(FlatSearch, CountsAPitOnceHoweverOftenItIsTouched) {
   EXPECT_EQ(touching({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}), surface.pits().size());
 }
 
+/// What is known to drain is not flooded again, nor is a long shelf from every vertex to where it drains.
+TEST(FlatSearch, IsNotExhaustedByWhatItKnows) {
+  std::vector<Point3> points = {{-2, 0, 0}, {-1, 4, 0}};
+  for (std::uint32_t x = 0; x < 3000; ++x)
+    points.insert(points.end(), {{double(x), 0, 1}, {double(x) + 0.5, 4, 1}});
+  const Surface surface = support::surface_of(points);
+  std::vector<VertexId> all;
+  for (std::uint32_t v = 0; v < points.size(); ++v) all.push_back(vertex(v));
+  FlatSearch flats(surface);
+  EXPECT_EQ(flats.pits_touching(surface.delaunay(), all), 1u);
+  EXPECT_FALSE(flats.exhausted());
+  all.assign(3'000'000, vertex(100));
+  EXPECT_EQ(flats.pits_touching(surface.delaunay(), all), 0u);
+  EXPECT_FALSE(flats.exhausted());
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(flats.on_pit(surface.delaunay(), vertex(0)));
+  EXPECT_FALSE(flats.exhausted());
+}
+
+TEST(FlatSearch, IsExhaustedInTheEnd) {
+  const Surface surface = support::surface_of(kLakeAndShelf);
+  FlatSearch flats(surface);
+  for (int i = 0; i < 1'000'000; ++i) static_cast<void>(flats.on_pit(surface.delaunay(), vertex(0)));
+  EXPECT_FALSE(flats.exhausted());
+  for (int i = 0; i < 200; ++i) static_cast<void>(flats.on_pit(surface.delaunay(), vertex(0)));
+  EXPECT_TRUE(flats.exhausted());
+}
+
 /// A flat in which two floods meet: the second one starts beside a vertex that the first has seen to drain.
 RC_GTEST_PROP(FlatSearchLaws, AgreeWithAFullCount, ()) {
   const auto cloud = *support::clouds(30);

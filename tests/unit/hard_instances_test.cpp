@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -217,7 +220,12 @@ TEST(Theorem1, ShieldsThePairsWithNoEndBetween) {
   const Segments upright = {{{0, 0}, {0, 5}}, {{1, 0}, {1, 4}}, {{2, 0}, {2, 3}}, {{3, 0}, {4, 5}}};
   Segments lying = upright;
   for (auto& s : lying) s = {{s.a.y, s.a.x}, {s.b.y, s.b.x}};
-  for (const Segments& segments : {upright, lying}) {
+  Segments lattice;
+  for (std::int64_t x = 0; x < 4; ++x) {
+    lattice.push_back({{x, 0}, {x, 1}});
+    lattice.push_back({{x, 3}, {x, 2}});
+  }
+  for (const Segments& segments : {upright, lying, lattice}) {
     std::vector<LatticePoint> ends;
     for (const auto& s : segments) ends.insert(ends.end(), {s.a, s.b});
     const auto between = [&](LatticePoint r, LatticePoint p, LatticePoint q) {
@@ -350,6 +358,105 @@ TEST(Corollary2, RefusesWhatIsTooLargeOrCollinear) {
       corollary2_instance(Segments{{{0, 0}, {5, 9}}, {{2, 0}, {7, 3}}, {{40, 0}, {9, 11}}});
   ASSERT_FALSE(collinear);
   EXPECT_EQ(collinear.error().rows, (std::vector<std::uint32_t>{0, 1, 2}));
+  const auto slanted = corollary2_instance(Segments{{{1, 2}, {5, 9}}, {{30, 1}, {4, 4}}, {{7, 6}, {9, -11}}});
+  ASSERT_FALSE(slanted);
+  EXPECT_EQ(slanted.error().rows, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+/// The square of the radius of the circle through three sites.
+double squared_radius(Point2 a, Point2 b, Point2 c) {
+  const auto square = [](Point2 p, Point2 q) {
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+  };
+  const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return square(a, b) * square(b, c) * square(c, a) / (4 * area * area);
+}
+
+/// The four conditions at the head of guarded_instance.cpp.
+TEST(Corollary2, MeetsTheConditionsOfItsProof) {
+  for (std::uint32_t n = 2; n <= 4; ++n) {
+    const HardInstance instance = corollary2_instance(random_segments(n, 3)).value();
+    const std::vector<Point2> sites = places(instance);
+    const std::span<const Point2> core = std::span(sites).first(2 * n + instance.shields);
+    const std::span<const Point2> guards = std::span(sites).subspan(core.size());
+    double reach = 0;  // the square of U
+    std::size_t shield = 2 * n;
+    for (std::uint32_t a = 0; a < 2 * n; ++a) {
+      for (std::uint32_t b = a + 1; b < 2 * n; ++b) {
+        if (partners(a, b)) continue;
+        const Point2 from = sites[a], to = sites[b], h = sites[shield];
+        ASSERT_GT(oracle::orient2d(from, to, h), 0);
+        for (const Point2 s : sites) {
+          if (s == h || oracle::orient2d(from, to, s) <= 0) continue;
+          ASSERT_GT(oracle::orient2d(to, s, h), 0);
+          ASSERT_GT(oracle::orient2d(s, from, h), 0);
+        }
+        for (const Point2 end : core.first(2 * n)) {
+          if (oracle::orient2d(from, to, end) >= 0) continue;
+          ASSERT_GT(oracle::incircle(from, to, h, end), 0);
+        }
+        const std::size_t each = instance.order + std::size_t{1};
+        for (const Point2 g : guards.subspan((shield - 2 * n) * each, each)) {
+          ASSERT_GT(oracle::incircle(from, to, h, g), 0);
+        }
+        for (std::size_t s = b + std::size_t{1}; s < core.size(); ++s) {
+          if (s != shield) reach = std::max(reach, squared_radius(from, to, core[s]));
+        }
+        ++shield;
+      }
+    }
+    for (std::size_t i = 0; i < core.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        reach = std::max(reach, std::pow(core[i].x - core[j].x, 2) + std::pow(core[i].y - core[j].y, 2));
+        for (std::size_t k = 0; k < j; ++k) {
+          ASSERT_NE(oracle::orient2d(core[i], core[j], core[k]), 0);
+          if (j >= 2 * n || partners(static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k)))
+            reach = std::max(reach, squared_radius(core[i], core[j], core[k]));
+        }
+      }
+    }
+    for (const Point2 c : core) {
+      for (const Point2 g : guards) ASSERT_GE(std::pow(c.x - g.x, 2) + std::pow(c.y - g.y, 2), 16 * reach);
+    }
+  }
+}
+
+/// A hash of all coordinates.
+std::uint64_t digest(const HardInstance& instance) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const Point3& p : instance.points) {
+    for (const double value : {p.x, p.y, p.z}) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211u;
+    }
+  }
+  return hash;
+}
+
+TEST(HardInstances, AreTheSameOnEveryMachine) {
+  const Segments comb = {{{0, 0}, {40, 3}}, {{5, -5}, {6, 7}}, {{15, -6}, {16, 9}}, {{25, -7}, {24, 8}}};
+  // An end near the middle of another segment; two ends of one segment near each other.
+  const Segments near = {{{0, 0}, {1000, 0}}, {{500, 3}, {500, 900}}};
+  const Segments shorter = {{{0, 0}, {1, 2}}, {{50, 60}, {90, -30}}};
+  const Segments in_a_row = {{{0, 0}, {0, 5}}, {{1, 0}, {1, 4}}, {{2, 0}, {2, 3}}, {{3, 0}, {4, 5}}};
+  std::uint64_t first = 0, second = 0;
+  for (const Segments& segments : {comb, in_a_row, near, shorter})
+    first ^= digest(theorem1_instance(segments).value());
+  // Shields that are collinear at first; guards of two pairs in one row.
+  const Segments parallel = {{{4, 2}, {16, 3}}, {{7, -5}, {19, -4}}};
+  const Segments in_one_row = {{{0, 11}, {7, 12}}, {{11, 4}, {3, 5}}};
+  for (const Segments& segments : {parallel, in_one_row}) {
+    second ^= digest(corollary2_instance(segments).value());
+  }
+  for (std::uint32_t n = 2; n <= 5; ++n) {
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const Segments segments = random_segments(n, seed);
+      first = first * 3 + digest(theorem1_instance(segments).value());
+      const auto guarded = corollary2_instance(segments);
+      second = second * 3 + (guarded ? digest(*guarded) : 1);
+    }
+  }
+  EXPECT_EQ(first, 7631822104016459432u);
+  EXPECT_EQ(second, 11600242632413231200u);
 }
 
 TEST(Theorem1, RefusesTooLargeCoordinatesInAnySegment) {

@@ -57,6 +57,7 @@ TEST(FlipPits, OpensADamOfOneEdge) {
   EXPECT_TRUE(outcome.triangulation.joined(vertex(0), vertex(1)));
   EXPECT_FALSE(outcome.triangulation.joined(vertex(2), vertex(3)));
   EXPECT_EQ(outcome.flips, outcome.trail.size());
+  EXPECT_GE(outcome.circle_counts, 2 * outcome.flips);  // both new triangles of each
   const auto step = std::find_if(outcome.trail.begin(), outcome.trail.end(),
                                  [](const TrailStep& s) { return s.pit.valid(); });
   ASSERT_NE(step, outcome.trail.end());
@@ -276,6 +277,37 @@ TEST(MinAngle, OfTheLargestAndTheSmallestTriangles) {
     const Surface square = surface_of(
         std::vector<Point3>{{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}});
     EXPECT_NEAR(min_angle_deg(square, square.delaunay(), 1), 45, 1e-12) << size;
+  }
+}
+
+/// More triangles than one thread takes at a time, and the thinnest of them anywhere among these.
+TEST(MinAngle, OfManyTriangles) {
+  std::uint64_t state = 5;
+  std::vector<Point3> points;
+  for (int i = 0; i < 20000; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    points.push_back({double((state >> 33) % 1000), double((state >> 43) % 1000), double(i)});
+  }
+  points = support::make_cloud(points).points;
+  ASSERT_GT(points.size(), 18000u);
+  for (const double x : {0.25, 250.25, 500.25, 999.25}) {
+    for (const double y : {0.0, 500.0, 999.0}) {
+      std::vector<Point3> with_needle = points;
+      with_needle.push_back({x, y + 0.25, 0});
+      with_needle.push_back({x, y + 0.25 + 1e-7, 0});
+      const Surface surface = surface_of(with_needle);
+      const thalweg::Triangulation& t = surface.delaunay();
+      double least = 180;
+      for (std::uint32_t i = 0; i < t.halfedge_count(); ++i) {
+        const thalweg::HalfedgeId h(i);
+        const auto at = [&](VertexId v) { return surface.sites()[v.index()]; };
+        const auto a = at(t.origin(h)), b = at(t.dest(h)), c = at(t.apex(h));
+        const double cross = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
+        least = std::min(least, std::atan2(cross, dot) * 180 / std::acos(-1.0));
+      }
+      EXPECT_NEAR(min_angle_deg(surface, t, 1), least, 1e-9 * least) << x << " " << y;
+    }
   }
 }
 

@@ -161,6 +161,28 @@ TEST(MergeSites, NamesTheRowsThatAreNotFinite) {
   EXPECT_NE(refused.error().message.find("row 1 "), std::string::npos);
 }
 
+TEST(MergeSites, NamesTheFirstTenOfManyRows) {
+  std::vector<Point3> points(20, {kNan, 0, 0});
+  points[0] = points[3] = {1, 2, 3};
+  const auto refused = merge_sites(points, DuplicatePolicy::lowest, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().rows, (Rows{1, 2, 4, 5, 6, 7, 8, 9, 10, 11}));
+}
+
+/// So many rows that they are shared among threads; one of them, in the last share, is not finite.
+TEST(MergeSites, LooksAtEveryRowOfMany) {
+  std::vector<Point3> points;
+  for (int i = 0; i < 300'000; ++i) points.push_back({double(i % 600), double(i / 600), double(i)});
+  const MergedSites sites = merge_sites(points, DuplicatePolicy::error, 3).value();
+  ASSERT_EQ(sites.row.size(), points.size());
+  for (std::size_t s = 0; s < points.size(); ++s) {
+    ASSERT_EQ(sites.z[s], sites.row[s]);
+    ASSERT_EQ(sites.xy[s], (Point2{points[sites.row[s]].x, points[sites.row[s]].y}));
+  }
+  points[299'998].z = kInfinity;
+  EXPECT_EQ(merge_sites(points, DuplicatePolicy::error, 3).error().rows, Rows{299'998});
+}
+
 TEST(MergeSites, OfNothingIsNothing) {
   const MergedSites sites = merge({}, DuplicatePolicy::lowest);
   EXPECT_TRUE(sites.xy.empty());

@@ -363,10 +363,45 @@ TEST(MinimizePits, ElevationsMayBeAnyFiniteDoubles) {
   EXPECT_EQ(m.remaining[0].vertices, 2u);
 }
 
+/// Enough sites that every stage is shared among threads.
+TEST(MinimizePits, IsTheSameOnAnyNumberOfThreads) {
+  std::uint64_t state = 3;
+  const auto next = [&state](std::uint64_t below) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>((state >> 33) % below);
+  };
+  std::vector<Point3> points;
+  for (int i = 0; i < 9000; ++i) points.push_back({next(1 << 20), next(1 << 20), next(1000)});
+  for (const Method method : {Method::flip, Method::best}) {
+    MinimizeOptions options = with(method, 2);
+    const Minimized alone = minimize_pits(points, options).value();
+    options.threads = 3;
+    const Minimized shared = minimize_pits(points, options).value();
+    EXPECT_EQ(shared.triangulation, alone.triangulation);
+    EXPECT_EQ(shared.face_orders, alone.face_orders);
+    EXPECT_EQ(shared.circle_counts, alone.circle_counts);
+    EXPECT_EQ(shared.lower_bound, alone.lower_bound);
+    EXPECT_EQ(shared.min_angle_before_deg, alone.min_angle_before_deg);
+    EXPECT_EQ(shared.min_angle_after_deg, alone.min_angle_after_deg);
+    EXPECT_EQ(vertices(shared.remaining), vertices(alone.remaining));
+    EXPECT_EQ(vertices(shared.removed), vertices(alone.removed));
+    EXPECT_EQ(*std::max_element(alone.face_orders.begin(), alone.face_orders.end()), 2u);
+  }
+}
+
 TEST(SweepPits, RefusesAnEmptyRange) {
   const auto refused = sweep_pits(dammed_valley(), 3, 2);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::invalid_argument);
+}
+
+TEST(SweepPits, TakesAMillionOrders) {
+  const auto sweep = sweep_pits(dammed_valley(), 1, 1'000'000);
+  ASSERT_TRUE(sweep);
+  ASSERT_EQ(sweep->rows.size(), 1'000'000u);
+  EXPECT_EQ(sweep->rows.back().order, 1'000'000u);
+  EXPECT_EQ(sweep->rows.back().best, 1u);
+  EXPECT_EQ(sweep_pits(dammed_valley(), 0, 1'000'000).error().code, ErrorCode::invalid_argument);
 }
 
 TEST(SweepPits, EqualsEveryRunByItself) {
