@@ -74,12 +74,12 @@ class UnitFinder {
     }
   }
 
-  /// Calls visit(w) for every neighbour w of v over an edge that is not in X.
+  /// Calls visit(w) for every neighbour w of v over an edge that is not in X, until it returns false.
   template <class Visit>
   void for_each_safe_neighbor(VertexId v, Visit&& visit) const {
     const HalfedgeId first = t_.outgoing(v);
     for (HalfedgeId h = first; h.valid();) {
-      if (crossed_[h.index()] == 0) visit(t_.dest(h));
+      if (crossed_[h.index()] == 0 && !visit(t_.dest(h))) return;
       const HalfedgeId turned = t_.turn_ccw(h);
       if (!turned.valid()) visit(t_.apex(h));  // along the hull, where nothing crosses
       if (turned == first) return;
@@ -111,9 +111,11 @@ class UnitFinder {
         const double z = surface_.z(w);
         std::uint32_t& group = group_[w.index()];
         if (z < level || (z == level && group == kDrains)) drains = true;
-        if (z != level || group != kUnseen) return;
-        group = number;
-        members.push_back(w);
+        if (z == level && group == kUnseen) {
+          group = number;
+          members.push_back(w);
+        }
+        return !drains;
       });
     }
     if (drains) {
