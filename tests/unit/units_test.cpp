@@ -120,7 +120,7 @@ RC_GTEST_PROP(UnitsLaws, AreTheDefinition, ()) {
             [&](std::uint32_t u, std::uint32_t v) { return surface.lower(vertex(u), vertex(v)); });
   RC_ASSERT(units.count == firsts.size());
   std::set<Key> found;
-  const std::vector<std::uint32_t> rank = surface.ranks();
+  const auto rank = surface.ranks();
   for (std::uint32_t u = 0; u < units.count; ++u) {
     std::vector<std::tuple<unsigned, std::uint32_t, std::uint32_t>> sorted;
     for (const UnitExit& e : units.of(u)) {
