@@ -18,14 +18,11 @@ bool is_delaunay_edge(const Surface& surface, VertexId u, VertexId v) {
   return std::find(neighbors.begin(), neighbors.end(), v) != neighbors.end();
 }
 
-/// Of the smallest angle of a triangle; NaN where rounding leaves nothing of it.
-double largest_cotangent(Point2 a, Point2 b, Point2 c) {
+/// Of the angle at a; NaN where rounding leaves nothing of it.
+double cotangent(Point2 a, Point2 b, Point2 c) {
   const auto of_differences = [](Point2 p, Point2 q, Point2 r) {
-    const Point2 to_q{q.x - p.x, q.y - p.y}, to_r{r.x - p.x, r.y - p.y}, opposite{r.x - q.x, r.y - q.y};
-    const auto dot = [](Point2 u, Point2 v) { return u.x * v.x + u.y * v.y; };
-    // The angles share their cross product, the doubled area.
-    return std::max({dot(to_q, to_r), -dot(to_q, opposite), dot(to_r, opposite)}) /
-           (to_q.x * to_r.y - to_q.y * to_r.x);
+    const double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
+    return (qx * rx + qy * ry) / (qx * ry - qy * rx);
   };
   const double plain = of_differences(a, b, c);
   if (std::isfinite(plain)) return plain;
@@ -97,8 +94,11 @@ double min_angle_deg(const Surface& surface, const Triangulation& triangulation,
     return [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Triangle t = triangulation.corners(FaceId(static_cast<std::uint32_t>(i)));
-        const auto at = [&](std::size_t corner) { return surface.sites()[t[corner].index()]; };
-        largest[begin / kChunk] = std::max(largest[begin / kChunk], largest_cotangent(at(0), at(1), at(2)));
+        const auto at = [&](std::size_t corner) { return surface.sites()[t[corner % 3].index()]; };
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          largest[begin / kChunk] =
+              std::max(largest[begin / kChunk], cotangent(at(corner), at(corner + 1), at(corner + 2)));
+        }
       }
     };
   });
