@@ -42,8 +42,7 @@ void radix_pass(const Array<KeyedRow>& from, Array<KeyedRow>& to, std::uint32_t 
 
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
   if (keyed.size() < 4 * kDigits) {
-    std::stable_sort(keyed.begin(), keyed.end(),
-                     [](KeyedRow a, KeyedRow b) { return key_of(a) < key_of(b); });
+    std::sort(keyed.begin(), keyed.end());
     return;
   }
   const std::size_t parts = parts_of(keyed.size(), kThreadRows, threads);

@@ -9,7 +9,7 @@
 
 namespace thalweg::detail {
 
-/// Key in the upper half, row in the lower: sorted as one number, equal keys stay in the order of rows.
+/// Key in the upper half, row in the lower.
 using KeyedRow = std::uint64_t;
 
 inline KeyedRow keyed_row(std::uint32_t key, std::uint32_t row) noexcept {
@@ -22,7 +22,8 @@ inline std::uint32_t row_of(KeyedRow k) noexcept {
   return static_cast<std::uint32_t>(k);
 }
 
-/// Sorts by key; stable. The result does not depend on `threads`. Complexity: O(n).
+/// Sorts by key, and equal keys by row. Requires: rows ascend. The result does not depend on `threads`.
+/// Complexity: O(n).
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads);
 
 /// Sorts the rows of each run of equal keys by less(row, row). Complexity: O(n), and O(m log m) for a run of
