@@ -7,8 +7,9 @@ namespace thalweg::detail {
 inline void prefetch([[maybe_unused]] const void* address) noexcept {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address);
-  asm volatile(
-      "");  // else g++ sees a function without effect, and leaves out the calls of those that call it
+  // Without this g++ sees a function without effect, and leaves out the calls of functions that do nothing
+  // else.
+  asm volatile("");
 #endif
 }
 

@@ -26,17 +26,23 @@ inline std::uint32_t row_of(KeyedRow k) noexcept {
 /// Complexity: O(n).
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads);
 
+/// Calls visit(begin, end) for each run of equal keys. Requires: sorted by key. Complexity: O(n).
+template <class Visit>
+void for_each_run(const Array<KeyedRow>& keyed, Visit&& visit) {
+  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
+    while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
+    visit(begin, end);
+  }
+}
+
 /// Sorts the rows of each run of equal keys by less(row, row). Complexity: O(n), and O(m log m) for a run of
 /// m.
 template <class Less>
 void sort_runs(Array<KeyedRow>& keyed, Less&& less) {
-  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
-    while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
-    if (end - begin == 1) continue;
-    std::sort(keyed.begin() + static_cast<std::ptrdiff_t>(begin),
-              keyed.begin() + static_cast<std::ptrdiff_t>(end),
+  for_each_run(keyed, [&](std::size_t begin, std::size_t end) {
+    std::sort(keyed.data() + begin, keyed.data() + end,
               [&](KeyedRow a, KeyedRow b) { return less(row_of(a), row_of(b)); });
-  }
+  });
 }
 
 }  // namespace thalweg::detail

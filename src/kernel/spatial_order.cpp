@@ -119,7 +119,7 @@ std::uint32_t order_cell(std::span<std::uint32_t> rows, std::span<const Point2> 
     std::vector<Point2> gathered(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) gathered[i] = points[rows[i]];
     const Grid grid(box_of(gathered, 1));
-    for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = KeyedRow{grid.key(gathered[i])} << 32 | rows[i];
+    for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = keyed_row(grid.key(gathered[i]), rows[i]);
   }
   radix_sort(keyed, 1);
   std::uint32_t different = 1;
@@ -130,10 +130,9 @@ std::uint32_t order_cell(std::span<std::uint32_t> rows, std::span<const Point2> 
   }
   std::transform(keyed.begin(), keyed.end(), rows.begin(), row_of);
   std::uint32_t distinct = 0;
-  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
-    while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
+  for_each_run(keyed, [&](std::size_t begin, std::size_t end) {
     distinct += end - begin == 1 ? 1 : order_cell(rows.subspan(begin, end - begin), points, level + 1);
-  }
+  });
   return distinct;
 }
 
@@ -185,7 +184,9 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   const Grid grid(box_of(points, threads));
   const std::size_t parts = parts_of(points.size(), kThreadPoints, threads);
   parallel_parts(points.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) keyed[i] = KeyedRow{grid.key(points[i])} << 32 | i;
+    for (std::size_t i = begin; i < end; ++i) {
+      keyed[i] = keyed_row(grid.key(points[i]), static_cast<std::uint32_t>(i));
+    }
   });
   radix_sort(keyed, threads);
 

@@ -253,9 +253,8 @@ class FlipRun {
 
   const Candidate& in_order(std::size_t i) const noexcept { return wave_[row_of(order_[i])]; }
 
-  /// Asks for the memory that the candidates after the i-th will need. In the order of ranks they lie all
-  /// over the terrain, and to wait for each is a third of a wave's time. In three steps, since one tells
-  /// where the next leads.
+  /// Asks for the memory that the candidates after the i-th will need, which in the order of ranks lie all
+  /// over the terrain. In three steps, since one tells where the next leads.
   void approach(std::size_t i) const noexcept {
     constexpr std::size_t kFirst = 64, kSecond = 32, kThird = 16;
     if (i + kFirst < order_.size()) prefetch(&in_order(i + kFirst));
@@ -266,6 +265,7 @@ class FlipRun {
       surface_.prefetch_elevation(candidate.d);
     }
     if (i + kThird < order_.size()) {
+      // Flips renumber half-edges: this one may be another edge's by now, one on the hull.
       const HalfedgeId twin = outcome_.triangulation.twin(in_order(i + kThird).halfedge);
       if (twin.valid()) prefetch_face(twin);
     }
@@ -318,7 +318,7 @@ class FlipRun {
     }
   }
 
-  /// Inner edges stay inner, whatever is flipped.
+  /// A half-edge that still leads from a to b is that edge's, which was inner and so has a twin.
   bool is_current(const Candidate& candidate) const {
     const Triangulation& t = outcome_.triangulation;
     const HalfedgeId h = candidate.halfedge;
