@@ -176,25 +176,28 @@ TEST(Exhaustive, LevelPitsDoNotDrainInARing) {
   EXPECT_EQ(tally.best_open, 0u);
 }
 
-/// They are worth drawing only if choosing ways down alone promises too much on them.
-TEST(Exhaustive, TrapsAreTraps) {
+template <class Visit>
+void for_each_trap(Visit&& visit) {
   const auto first = static_cast<std::uint64_t>(support::SetKind::trap);
   for (std::uint64_t i = 0; i < 10; ++i) {
     const DrawnSet set = support::draw_set(1, first + i * support::kSetKinds);
     SCOPED_TRACE(printed(set.cloud));
     const Relief relief(set.cloud.elevations());
+    visit(set, relief);
+  }
+}
+
+/// They are worth drawing only if choosing ways down alone promises too much on them.
+TEST(Exhaustive, TrapsAreTraps) {
+  for_each_trap([](const DrawnSet& set, const Relief& relief) {
     EXPECT_NE(support::fewest_pits_regardless(*set.enumeration, relief),
               set.enumeration->fewest_pits(relief));
-  }
+  });
 }
 
 /// Out of time, `exact` has what `best` has; a limit of 0 is none, nor is one that no clock counts to.
 TEST(Exhaustive, ExactStopsAtItsTimeLimit) {
-  const auto first = static_cast<std::uint64_t>(support::SetKind::trap);
-  for (std::uint64_t i = 0; i < 10; ++i) {
-    const DrawnSet set = support::draw_set(1, first + i * support::kSetKinds);
-    SCOPED_TRACE(printed(set.cloud));
-    const Relief relief(set.cloud.elevations());
+  for_each_trap([](const DrawnSet& set, const Relief& relief) {
     const auto fewest = set.enumeration->fewest_pits(relief);
     const auto regardless = support::fewest_pits_regardless(*set.enumeration, relief);
     for (unsigned k = 0; k < fewest.size(); ++k) {
@@ -212,7 +215,7 @@ TEST(Exhaustive, ExactStopsAtItsTimeLimit) {
         EXPECT_TRUE(thalweg::minimize_pits(set.cloud.points, options)->certified) << limit;
       }
     }
-  }
+  });
 }
 
 /// Catalan numbers for convex sites.

@@ -43,14 +43,20 @@ Outcome delaunay_of(const Surface& surface) {
   return outcome;
 }
 
-RC_GTEST_PROP(InsertChains, NeverMakesItWorseAndKeepsTheOrder, ()) {
-  const support::Cloud cloud = *support::clouds(30);
-  const Surface surface = surface_of(cloud.points);
-  const auto k = *rc::gen::inRange(0u, 8u);
+/// The Delaunay triangulation with chains inserted, and the trail of these.
+Outcome with_chains(const Surface& surface, unsigned k) {
   Watch watch;
   watch.keep_trail = true;
   Outcome outcome = delaunay_of(surface);
   insert_chains(surface, k, watch, outcome);
+  return outcome;
+}
+
+RC_GTEST_PROP(InsertChains, NeverMakesItWorseAndKeepsTheOrder, ()) {
+  const support::Cloud cloud = *support::clouds(30);
+  const Surface surface = surface_of(cloud.points);
+  const auto k = *rc::gen::inRange(0u, 8u);
+  const Outcome outcome = with_chains(surface, k);
   RC_ASSERT(outcome.pits <= surface.pits().size());
   RC_ASSERT(outcome.pits == find_pits(outcome.triangulation, surface.z()).size());
   RC_ASSERT(!outcome.triangulation.find_fault());
@@ -78,8 +84,7 @@ RC_GTEST_PROP(InsertChains, LeaveNothingToInsert, ()) {
   const support::Cloud cloud = *support::clouds(30);
   const Surface surface = surface_of(cloud.points);
   const auto k = *rc::gen::inRange(0u, 8u);
-  Outcome outcome = delaunay_of(surface);
-  insert_chains(surface, k, Watch(), outcome);
+  Outcome outcome = with_chains(surface, k);
   const std::uint32_t left = outcome.pits;
   insert_overlapping(surface, find_exits(surface, k, 1, nullptr), k, Watch(), outcome);
   RC_ASSERT(outcome.pits == left);
@@ -90,10 +95,7 @@ RC_GTEST_PROP(InsertChains, InsertExitsOfPits, ()) {
   const support::Cloud cloud = *support::clouds(30);
   const Surface surface = surface_of(cloud.points);
   const auto k = *rc::gen::inRange(0u, 8u);
-  Watch watch;
-  watch.keep_trail = true;
-  Outcome outcome = delaunay_of(surface);
-  insert_chains(surface, k, watch, outcome);
+  const Outcome outcome = with_chains(surface, k);
   thalweg::Triangulation t = surface.delaunay();
   FlatSearch flats(surface);
   EdgeInsertion insertion;
