@@ -18,20 +18,41 @@ bool is_delaunay_edge(const Surface& surface, VertexId u, VertexId v) {
   return std::find(neighbors.begin(), neighbors.end(), v) != neighbors.end();
 }
 
+/// An angle by its two sides: as products of lengths, the cosine and the sine.
+struct Angle {
+  double dot, cross;
+};
+
+/// The angle at p.
+Angle angle(Point2 p, Point2 q, Point2 r) noexcept {
+  const double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
+  return {qx * rx + qy * ry, qx * ry - qy * rx};
+}
+
 /// Of the angle at a; NaN where rounding leaves nothing of it.
 double cotangent(Point2 a, Point2 b, Point2 c) {
-  const auto of_differences = [](Point2 p, Point2 q, Point2 r) {
-    const double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
-    return (qx * rx + qy * ry) / (qx * ry - qy * rx);
-  };
-  const double plain = of_differences(a, b, c);
+  const auto of = [](Angle angle) { return angle.dot / angle.cross; };
+  const double plain = of(angle(a, b, c));
   if (std::isfinite(plain)) return plain;
   // Products beyond the range of doubles: brought to coordinates of size 1, the angle is the same.
   double size = 0;
   for (const double value : {a.x, a.y, b.x, b.y, c.x, c.y}) size = std::max(size, std::fabs(value));
   const int shift = -std::ilogb(size) - 1;
   const auto scaled = [shift](Point2 p) { return Point2{std::ldexp(p.x, shift), std::ldexp(p.y, shift)}; };
-  return of_differences(scaled(a), scaled(b), scaled(c));
+  return of(angle(scaled(a), scaled(b), scaled(c)));
+}
+
+/// The largest of `largest` and the cotangent of the angle at a: without a division where it is clear that
+/// the quotient is not the larger. With u = 2^-53, dot < fl(least * cross) <= least cross (1 + u) and least
+/// <= largest (1 - 4u)(1 + u), so dot / cross < largest, and rounding keeps <=. The bounds keep the product
+/// from underflow. If `cross` overflows, the quotient of a finite `dot` is 0.
+double larger_cotangent(double largest, Point2 a, Point2 b, Point2 c) {
+  constexpr double kLeastCross = 0x1p-900;
+  const auto [dot, cross] = angle(a, b, c);
+  const double least = largest * (1 - 4 * kUnitRoundoff);
+  if (largest > 0x1p-100 && cross > kLeastCross && dot < least * cross) [[likely]]
+    return largest;
+  return std::max(largest, cotangent(a, b, c));
 }
 
 }  // namespace
@@ -92,14 +113,14 @@ double min_angle_deg(const Surface& surface, const Triangulation& triangulation,
   std::vector<double> largest((count + kChunk - 1) / kChunk, -std::numeric_limits<double>::infinity());
   parallel_chunks(count, kChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
+      double most = largest[begin / kChunk];
       for (std::size_t i = begin; i < end; ++i) {
         const Triangle t = triangulation.corners(FaceId(static_cast<std::uint32_t>(i)));
         const auto at = [&](std::size_t corner) { return surface.sites()[t[corner % 3].index()]; };
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-          largest[begin / kChunk] =
-              std::max(largest[begin / kChunk], cotangent(at(corner), at(corner + 1), at(corner + 2)));
-        }
+        for (std::size_t corner = 0; corner < 3; ++corner)
+          most = larger_cotangent(most, at(corner), at(corner + 1), at(corner + 2));
       }
+      largest[begin / kChunk] = most;
     };
   });
   return std::atan2(1.0, *std::max_element(largest.begin(), largest.end())) * (180 / std::numbers::pi);
