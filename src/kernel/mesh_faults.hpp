@@ -65,7 +65,8 @@ struct CleanMesh {
 std::string triangle_text(std::span<const Corners> given, std::uint32_t triangle);
 
 /// Logs every crossing, overlap and hole of a mesh. Always logs something if some point of the hull off all
-/// edges is not covered exactly once.
-void search_faults(const CleanMesh& mesh, FaultLog& log);
+/// edges is not covered exactly once. After so many steps of comparing two boxes, by default some seconds, a
+/// sweep stops; then what is logged is a part of the faults.
+void search_faults(const CleanMesh& mesh, FaultLog& log, std::uint64_t most_steps = std::uint64_t{1} << 31);
 
 }  // namespace thalweg::detail

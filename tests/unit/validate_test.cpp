@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "kernel/mesh_faults.hpp"
 #include "oracle/exact_predicates.hpp"
 #include "oracle/terrain.hpp"
 #include "support/cloud.hpp"
@@ -179,6 +181,76 @@ TEST(FindFaults, CrossingEdgesOverlap) {
 TEST(FindFaults, TwoTriangulationsOfOneSquare) {
   const Mesh mesh{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
   EXPECT_EQ(kinds(faults(mesh)), (Kinds{FaultKind::crossing, FaultKind::overlap}));
+}
+
+/// A mesh as search_faults gets it, of triangles that are counter-clockwise.
+std::vector<Fault> faults_within(const Mesh& mesh, const std::vector<thalweg::detail::Edge>& border,
+                                 const std::vector<std::uint32_t>& hull_next, std::uint64_t most_steps) {
+  thalweg::detail::CleanMesh clean;
+  clean.points = mesh.points;
+  clean.given = mesh.triangles;
+  clean.corners = mesh.triangles;
+  clean.border = border;
+  clean.hull_next = hull_next;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) clean.names.push_back(i);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const Corners& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) pairs.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  }
+  for (const auto& [u, v] : pairs) clean.edges.push_back({u, v});
+  thalweg::detail::FaultLog log;
+  search_faults(clean, log, most_steps);
+  return std::move(log).take();
+}
+
+constexpr std::uint32_t kNoPlace = thalweg::detail::CleanMesh::kNoPlace;
+
+/// A square with a triangle missing on the right, whose corner is vertex 4.
+TEST(SearchFaults, NamesABorderEdgeIfTheStepsRunOut) {
+  const Mesh mesh{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}}, {{0, 1, 4}, {2, 3, 4}, {3, 0, 4}}};
+  const std::vector<thalweg::detail::Edge> border = {{0, 1}, {1, 4}, {4, 2}, {2, 3}, {3, 0}};
+  const std::vector<std::uint32_t> hull_next = {1, 2, 3, 0, kNoPlace};
+  const auto all = faults_within(mesh, border, hull_next, 10000);
+  ASSERT_EQ(kinds(all), Kinds{FaultKind::hole});
+  EXPECT_EQ(all[0].examples[0], "right of the edge 1 -> 4, border of 2 edges");
+  const auto some = faults_within(mesh, border, hull_next, 0);
+  ASSERT_EQ(kinds(some), Kinds{FaultKind::hole});
+  EXPECT_EQ(some[0].examples[0], "border edge 1 -> 4 off the hull");
+}
+
+/// One triangle is covered twice, and all of its border is that of the hull.
+TEST(SearchFaults, MeetsAnOverlapBeforeTheStepsRunOut) {
+  const Mesh mesh{{{0, 0}, {9, 0}, {0, 9}, {2, 2}}, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const std::vector<thalweg::detail::Edge> border = {{0, 1}, {1, 2}, {2, 0}};
+  const std::vector<std::uint32_t> hull_next = {1, 2, 0, kNoPlace};
+  const auto all = faults_within(mesh, border, hull_next, 10000);
+  ASSERT_EQ(kinds(all), Kinds{FaultKind::overlap});
+  EXPECT_EQ(all[0].count, 3u);
+  const auto some = faults_within(mesh, border, hull_next, 0);
+  ASSERT_EQ(kinds(some), Kinds{FaultKind::overlap});
+}
+
+/// An exact test counts for more than comparing boxes: with so many steps half of the overlaps are met.
+TEST(SearchFaults, StopsWhereTheStepsRunOut) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    for (const Point2 p : {Point2{i * 1.0, 0}, Point2{i + 9.0, 1.0 + i}, Point2{i * 1.0, 9}})
+      mesh.points.push_back(p);
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const std::vector<std::uint32_t> hull_next(mesh.points.size(), kNoPlace);
+  const auto overlaps = [&](std::uint64_t most_steps) {
+    std::uint64_t count = 0;
+    for (const Fault& fault : faults_within(mesh, {}, hull_next, most_steps)) {
+      if (fault.kind == FaultKind::overlap) count += fault.count;
+    }
+    return count;
+  };
+  const std::uint64_t all = overlaps(1000000);
+  EXPECT_GT(all, 100u);
+  const std::uint64_t most = 32 * all / 2;
+  EXPECT_GT(overlaps(most), all / 4);
+  EXPECT_LE(overlaps(most), all / 2 + 20);
 }
 
 TEST(FindFaults, VertexInsideAnEdge) {
