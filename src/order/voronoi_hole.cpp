@@ -25,25 +25,21 @@ bool HoleFiller::inside(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::
 
 // The triangle sought is Delaunay: its circle holds none of the other sites. So its apex takes the place of
 // any other candidate when its turn comes, and nothing takes its place; but a candidate must be on the side
-// of the hole, or its circle would be the complement of what is meant. With infinity as the third corner all
-// sites are on one side of the line sought, and `inside` compares directions.
+// of the hole, or its circle would be the complement of what is meant. Only the one to begin with need not
+// be: as the apex is outside its circle, which lies on the other side of the chord, it is in the complement.
+// With infinity as the third corner all sites are on one side of the line sought, and `inside` compares
+// directions.
 std::uint32_t HoleFiller::nearest_apex(std::span<const HoleSide> sides, Chain chain) const noexcept {
   const std::uint32_t from = sides[chain.from].site, to = sides[chain.to].site;
   const auto on_side = [&](std::uint32_t site) {
     return to == kInfinity || orient2d_sign(sites_[from], sites_[site], sites_[to]) > 0;
   };
   std::uint32_t best = chain.from + 1;
-  bool found = chain.to - chain.from == 2 || on_side(sides[best].site);
   for (std::uint32_t i = best + 1; i < chain.to; ++i) {
     const std::uint32_t site = sides[i].site;
-    if (!found) {
-      best = i;
-      found = on_side(site);
-    } else if (inside(from, sides[best].site, to, site) && on_side(site)) {
-      best = i;
-    }
+    if (inside(from, sides[best].site, to, site) && on_side(site)) best = i;
   }
-  THALWEG_ASSERT(found);
+  THALWEG_ASSERT(on_side(sides[best].site));
   return best;
 }
 
