@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "oracle/exact_predicates.hpp"
 #include "support/cloud.hpp"
@@ -56,6 +57,22 @@ TEST(CirclePlane, SitesOnTheCircleAreNotInside) {
       if (p.x == 0 || j == i || j == (i + 7) % n || j == (i + n / 2) % n) continue;
       EXPECT_TRUE(circle.holds({std::nextafter(p.x, 0.0), p.y}));
       EXPECT_FALSE(circle.holds({std::nextafter(p.x, p.x * 2), p.y}));
+    }
+  }
+}
+
+/// Sites next to a corner of a circle whose products pass 53 bits: what the doubles give there is rounding
+/// errors of the size of the circle, not of the distance.
+TEST(CirclePlane, SitesNextToACorner) {
+  std::vector<Point2> ring = support::integer_circle(32045);
+  for (Point2& p : ring) p = {40001 * p.x - 217 * p.y, 40001 * p.y + 217 * p.x};
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const std::size_t step : {n / 7, n / 3, n / 2}) {
+      const CirclePlane circle(ring[i], ring[(i + step) % n], ring[(i + step + n / 3) % n]);
+      for (const std::size_t j : {i + 1, i + 2, i + n - 1, i + n - 2}) {
+        EXPECT_FALSE(circle.holds(ring[j % n])) << i << " " << step << " " << j;
+      }
     }
   }
 }

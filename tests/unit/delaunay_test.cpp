@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "kernel/delaunay_sites.hpp"
 #include "kernel/spatial_order.hpp"
 #include "support/delaunay_check.hpp"
 #include "support/random.hpp"
@@ -155,6 +156,20 @@ TEST(Delaunay, EveryKindOfPointsInTheHundreds) {
       continue;
     }
     EXPECT_EQ(support::fault_of(points, *t), "") << "kind " << kind;
+  }
+}
+
+TEST(Delaunay, OfSitesHasAVertexForEach) {
+  for (const std::size_t n : {3u, 4u, 100u, 20000u}) {
+    const std::vector<Point2> points = support::point_set(Kind::uniform, n, 3);
+    const auto order = thalweg::detail::spatial_order(points, 1);
+    thalweg::detail::Array<Point2> sites;
+    for (const std::uint32_t row : order.rows) sites.push_back(points[row]);
+    for (const unsigned threads : {1u, 2u}) {
+      const auto t = thalweg::detail::delaunay_of_sites(sites, order.keys, threads);
+      ASSERT_TRUE(t);
+      EXPECT_EQ(t->vertex_count(), n);
+    }
   }
 }
 

@@ -281,6 +281,20 @@ TEST(PredicateStages, GridDecidesSmallLattices) {
   EXPECT_EQ(thalweg::detail::incircle_grid({0, 0}, {1, 0}, {1, 1}, {0, up(1)}), std::nullopt);
 }
 
+TEST(PredicateStages, GridAnswersWithinItsRange) {
+  const auto rectangle = [](double height, int exponent) {
+    const auto at = [&](double x, double y) {
+      return Point2{std::ldexp(x, exponent), std::ldexp(y, exponent)};
+    };
+    return thalweg::detail::incircle_grid(at(0, 0), at(1, 0), at(1, height), at(0, height));
+  };
+  // The squared distances add up to 4 and to 10, times 4^exponent: exponents 2 and 3 of the sum.
+  for (const int exponent : {-201, 0, 199}) EXPECT_EQ(rectangle(1, exponent), MaybeSign(0)) << exponent;
+  for (const int exponent : {-202, 200}) EXPECT_EQ(rectangle(1, exponent), std::nullopt) << exponent;
+  for (const int exponent : {-201, 0, 198}) EXPECT_EQ(rectangle(2, exponent), MaybeSign(0)) << exponent;
+  for (const int exponent : {-202, 199}) EXPECT_EQ(rectangle(2, exponent), std::nullopt) << exponent;
+}
+
 // Three neighbours on a parabola and a site far away: the square of the longest distance says nothing about
 // the rounding errors of the others.
 TEST(PredicateStages, ProductsDecideLongTriangles) {
