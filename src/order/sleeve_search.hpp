@@ -219,14 +219,12 @@ class SleeveSearch {
 
  public:
   /// Whether p, q and their whole sleeve are on one circle, which is then empty: the one case in which no
-  /// edge across pq has an end strictly inside.
+  /// edge across pq has an end strictly inside. It is the circle of the first triangle; and if q is on it,
+  /// all triangles between have their corners there, because on an empty circle the convex hull of all sites
+  /// is cut into triangles of these.
   static bool is_cocircular(const DelaunayGraph& graph, VertexId p, VertexId q, const Sleeve& sleeve) {
-    const auto at = [&](VertexId v) { return graph.point(v); };
-    const auto on_circle = [&](VertexId v) {
-      return incircle_sign(at(p), at(sleeve.right[0]), at(sleeve.left[0]), at(v)) == 0;
-    };
-    return on_circle(q) && std::all_of(sleeve.left.begin() + 1, sleeve.left.end(), on_circle) &&
-           std::all_of(sleeve.right.begin() + 1, sleeve.right.end(), on_circle);
+    return incircle_sign(graph.point(p), graph.point(sleeve.right[0]), graph.point(sleeve.left[0]),
+                         graph.point(q)) == 0;
   }
 
   /// The useful order of p, q, or k + 1 if more, from the sites of their sleeve left and right of p -> q.

@@ -101,6 +101,14 @@ std::int64_t lee(std::int64_t n, std::int64_t k, std::int64_t unbounded_below) {
   return 2 * k * n - k * k - n + 1 - unbounded_below;
 }
 
+/// Refused before any of them is read.
+TEST(OrderKVoronoi, RefusesMoreSitesThanIdsCanNumber) {
+  const Point2 only{0, 0};
+  const auto diagram = order_k_voronoi(std::span(&only, VertexId::kInvalid), 1);
+  ASSERT_FALSE(diagram);
+  EXPECT_EQ(diagram.error().code, ErrorCode::too_many_points);
+}
+
 TEST(OrderKVoronoi, HasAsManyCellsAsLeeSays) {
   // First the formula itself, on small sets by testing every circle: a cell is unbounded if a line cuts it
   // off.

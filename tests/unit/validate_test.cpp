@@ -262,6 +262,13 @@ TEST(FindFaults, VertexInsideAnEdge) {
   EXPECT_EQ(found[1].examples[0], "vertex 4 inside edge 0 - 2");
 }
 
+TEST(FindFaults, FirstVertexInsideAnEdge) {
+  const Mesh mesh{{{2, 2}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 2, 3}, {1, 0, 4}, {0, 3, 4}}};
+  const auto found = faults(mesh);
+  ASSERT_EQ(kinds(found), (Kinds{FaultKind::non_manifold, FaultKind::crossing}));
+  EXPECT_EQ(found[1].examples[0], "vertex 0 inside edge 1 - 3");
+}
+
 TEST(FindFaults, FoldedTriangleOverlaps) {
   // Vertex 4 was dragged across the edge 0 - 1: triangle 0 turned over, the others cover too much.
   Mesh mesh{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, -1}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
