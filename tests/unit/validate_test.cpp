@@ -262,6 +262,13 @@ TEST(FindFaults, VertexInsideAnEdge) {
   EXPECT_EQ(found[1].examples[0], "vertex 4 inside edge 0 - 2");
 }
 
+/// The long side of the one parts it from the other, whose corner points at it; no side of the other does.
+TEST(FindFaults, TrianglesApartDoNotOverlap) {
+  const std::vector<Point2> points = {{0, 0}, {10, 0}, {0, 10}, {6, 6}, {20, 7}, {7, 20}};
+  for (const Mesh& mesh : {Mesh{points, {{0, 1, 2}, {3, 4, 5}}}, Mesh{points, {{3, 4, 5}, {0, 1, 2}}}})
+    EXPECT_EQ(kinds(faults(mesh)), Kinds{FaultKind::hole});
+}
+
 TEST(FindFaults, FirstVertexInsideAnEdge) {
   const Mesh mesh{{{2, 2}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 2, 3}, {1, 0, 4}, {0, 3, 4}}};
   const auto found = faults(mesh);
