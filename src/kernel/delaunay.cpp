@@ -157,11 +157,7 @@ std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsig
 Array<Point2> gathered(std::span<const Point2> points, std::span<const std::uint32_t> rows,
                        unsigned threads) {
   Array<Point2> sites(rows.size());
-  parallel_chunks(rows.size(), kRowChunk, threads, [&] {
-    return [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) sites[i] = points[rows[i]];
-    };
-  });
+  parallel_for(rows.size(), threads, [&](std::size_t i) { sites[i] = points[rows[i]]; });
   return sites;
 }
 

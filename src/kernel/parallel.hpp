@@ -70,4 +70,15 @@ void parallel_parts(std::size_t count, std::size_t parts, Task&& task) {
   });
 }
 
+/// Calls task(i) for every i below `count`, in parts on several threads where there are many. For tasks of a
+/// few instructions, whose data lies where i does.
+template <class Task>
+void parallel_for(std::size_t count, unsigned threads, Task&& task) {
+  constexpr std::size_t kLeast = 1u << 16;
+  parallel_parts(count, parts_of(count, kLeast, threads),
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) task(i);
+                 });
+}
+
 }  // namespace thalweg::detail

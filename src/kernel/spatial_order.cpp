@@ -182,24 +182,20 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   if (points.empty()) return order;
   Array<KeyedRow> keyed(points.size());
   const Grid grid(box_of(points, threads));
-  const std::size_t parts = parts_of(points.size(), kThreadPoints, threads);
-  parallel_parts(points.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      keyed[i] = keyed_row(grid.key(points[i]), static_cast<std::uint32_t>(i));
-    }
+  parallel_for(points.size(), threads, [&](std::size_t i) {
+    keyed[i] = keyed_row(grid.key(points[i]), static_cast<std::uint32_t>(i));
   });
   radix_sort(keyed, threads);
 
   order.rows = Array<std::uint32_t>(points.size());
   order.keys = Array<std::uint32_t>(points.size());
-  parallel_parts(points.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      order.rows[i] = row_of(keyed[i]);
-      order.keys[i] = key_of(keyed[i]);
-    }
+  parallel_for(points.size(), threads, [&](std::size_t i) {
+    order.rows[i] = row_of(keyed[i]);
+    order.keys[i] = key_of(keyed[i]);
   });
   keyed = Array<KeyedRow>();
-  if (order_cells(order.rows, order.keys, points, parts)) part_sites(order, points);
+  if (order_cells(order.rows, order.keys, points, parts_of(points.size(), kThreadPoints, threads)))
+    part_sites(order, points);
   return order;
 }
 

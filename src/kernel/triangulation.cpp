@@ -324,19 +324,12 @@ void Triangulation::replace(std::span<const FaceId> olds, std::span<const Triang
 Triangulation Triangulation::renamed(std::span<const std::uint32_t> names, std::uint32_t vertex_count,
                                      unsigned threads) && {
   THALWEG_ASSERT(!is_revision() && names.size() == this->vertex_count());
-  constexpr std::size_t kLeast = 1u << 16;
   Triangulation result;
   result.outgoing_ = Numbers(vertex_count);
   if (names.size() < vertex_count) std::fill(result.outgoing_.begin(), result.outgoing_.end(), kNone);
-  detail::parallel_parts(names.size(), detail::parts_of(names.size(), kLeast, threads),
-                         [&](std::size_t, std::size_t begin, std::size_t end) {
-                           for (std::size_t v = begin; v < end; ++v)
-                             result.outgoing_[names[v]] = outgoing_[v];
-                         });
-  detail::parallel_parts(origin_.size(), detail::parts_of(origin_.size(), kLeast, threads),
-                         [&](std::size_t, std::size_t begin, std::size_t end) {
-                           for (std::size_t h = begin; h < end; ++h) origin_[h] = names[origin_[h]];
-                         });
+  detail::parallel_for(names.size(), threads,
+                       [&](std::size_t v) { result.outgoing_[names[v]] = outgoing_[v]; });
+  detail::parallel_for(origin_.size(), threads, [&](std::size_t h) { origin_[h] = names[origin_[h]]; });
   result.origin_ = std::move(origin_);
   result.twin_ = std::move(twin_);
   return result;

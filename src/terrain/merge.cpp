@@ -14,16 +14,6 @@ namespace {
 
 constexpr std::size_t kNamedRows = 10;
 
-/// Calls task(i) for every i below count, on all threads.
-template <class Task>
-void for_each_index(std::size_t count, unsigned threads, Task&& task) {
-  constexpr std::size_t kLeast = 1u << 16;
-  parallel_parts(count, parts_of(count, kLeast, threads),
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) task(i);
-                 });
-}
-
 bool is_finite(const Point3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
@@ -31,7 +21,7 @@ bool is_finite(const Point3& p) {
 /// The first rows that hold a NaN or an infinity.
 Result<bool> require_finite(std::span<const Point3> points, unsigned threads) {
   std::atomic<bool> all_finite{true};
-  for_each_index(points.size(), threads, [&](std::size_t i) {
+  parallel_for(points.size(), threads, [&](std::size_t i) {
     if (!is_finite(points[i])) all_finite.store(false, std::memory_order_relaxed);
   });
   if (all_finite) return true;
@@ -114,13 +104,13 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
   MergedSites sites;
   {
     Array<Point2> xy(points.size());
-    for_each_index(points.size(), threads, [&](std::size_t i) { xy[i] = place_of(i); });
+    parallel_for(points.size(), threads, [&](std::size_t i) { xy[i] = place_of(i); });
     SpatialOrder order = spatial_order(xy, threads);
     const std::uint32_t count = order.site_count();
     if (order.distinct()) {
       sites.row = std::move(order.rows);
       sites.z = Array<double>(count);
-      for_each_index(count, threads, [&](std::size_t s) { sites.z[s] = points[sites.row[s]].z; });
+      parallel_for(count, threads, [&](std::size_t s) { sites.z[s] = points[sites.row[s]].z; });
     } else {
       sites.row.reserve(count);
       sites.z.reserve(count);
@@ -136,7 +126,7 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
     sites.keys = std::move(order.keys);
   }
   sites.xy = Array<Point2>(sites.row.size());
-  for_each_index(sites.row.size(), threads, [&](std::size_t s) { sites.xy[s] = place_of(sites.row[s]); });
+  parallel_for(sites.row.size(), threads, [&](std::size_t s) { sites.xy[s] = place_of(sites.row[s]); });
   return sites;
 }
 

@@ -160,4 +160,14 @@ TEST(ResolveThreads, ZeroStandsForTheMachine) {
   EXPECT_EQ(resolve_threads(37), 37u);
 }
 
+TEST(ParallelFor, TakesEveryIndexOnce) {
+  for (const std::size_t count : {0u, 1u, 65535u, 65536u, 200001u}) {
+    for (const unsigned threads : {1u, 2u, 3u, 7u}) {
+      std::vector<int> taken(count, 0);
+      thalweg::detail::parallel_for(count, threads, [&](std::size_t i) { ++taken[i]; });
+      EXPECT_EQ(static_cast<std::size_t>(std::count(taken.begin(), taken.end(), 1)), count);
+    }
+  }
+}
+
 }  // namespace
