@@ -106,8 +106,7 @@ std::string describe(NumberFault fault, std::string_view token) {
     case NumberFault::overflow:
       return in_quotes(token) + " is too large for a double: correct or remove it";
     case NumberFault::decimal_comma:
-      return in_quotes(token) +
-             " has a decimal comma: write it with a decimal point, and separate columns by ; or tabs";
+      return in_quotes(token) + " has a decimal comma: write it with a decimal point";
     default:
       return in_quotes(token) + " is not a number: correct or remove it";
   }
