@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/parallel.hpp"
+#include "kernel/prefetch.hpp"
 #include "kernel/radix_sort.hpp"
 
 namespace thalweg::detail {
@@ -143,10 +144,18 @@ bool order_cells(std::span<std::uint32_t> rows, std::span<const std::uint32_t> k
   parallel_parts(rows.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
     // A cell belongs to the part in which it begins.
     const auto in_earlier_part = [&](std::size_t i) { return i > 0 && keys[i] == keys[i - 1]; };
+    // The points of a cell lie all over memory: those of a coming one are asked for in time.
+    const auto approach = [&](std::size_t i) {
+      constexpr std::size_t kAhead = 64;
+      const std::size_t coming = i + kAhead;
+      if (coming + 1 < rows.size() && (keys[coming] == keys[coming - 1] || keys[coming] == keys[coming + 1]))
+        prefetch(&points[rows[coming]]);
+    };
     while (begin < end && in_earlier_part(begin)) ++begin;
     while (begin < end) {
       std::size_t next = begin + 1;
-      while (next < rows.size() && keys[next] == keys[begin]) ++next;
+      approach(begin);
+      for (; next < rows.size() && keys[next] == keys[begin]; ++next) approach(next);
       if (next - begin > 1) {
         const auto cell = rows.subspan(begin, next - begin);
         if (order_cell(cell, points, 1) < cell.size()) duplicates = true;

@@ -307,13 +307,16 @@ TEST(PredicateStages, ProductsDecideLongTriangles) {
 
 /// Integer points of a circle, some near each other and some far: the determinant is nothing but rounding
 /// errors.
-TEST(PredicateStages, RoundedStagesAnswerNothingOnACircle) {
+class RoundedStages : public testing::TestWithParam<double> {};
+
+TEST_P(RoundedStages, AnswerNothingOnACircle) {
   std::vector<Point2> circle;
   for (const Point2 p : support::integer_circle(32045))
-    circle.push_back({39 * p.x - 2 * p.y, 39 * p.y + 2 * p.x});
+    circle.push_back({GetParam() * p.x - 2 * p.y, GetParam() * p.y + 2 * p.x});
   const std::size_t n = circle.size();
   for (std::size_t i = 0; i < n; ++i) {
     for (const auto& steps : {std::array<std::size_t, 3>{1, 2, n / 2},
+                              {1, 2, n / 4},
                               {1, 3, n / 4},
                               {1, n / 2, n / 2 + 1},
                               {n / 5, n / 2, n / 2 + 20}}) {
@@ -328,6 +331,8 @@ TEST(PredicateStages, RoundedStagesAnswerNothingOnACircle) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Scales, RoundedStages, testing::Values(39, 400001));
 
 TEST(PredicateStages, ProductsAnswerNothingBeyondTheirRange) {
   for (const double size : {0x1p36, 1e100, 1e300}) {
