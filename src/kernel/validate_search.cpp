@@ -3,8 +3,7 @@
 /// Boxes are swept by x; every pair that may touch is tested exactly. A mesh gets here only when its border
 /// is not the hull or its triangles are at odds with each other, so this may take longer than the checks
 /// before, but not for ever: a sweep stops after some number of steps, and what it has not met by then is not
-/// reported.
-/// A broken mesh never passes for sound all the same: see the end.
+/// reported. A broken mesh never passes for sound all the same: see the end.
 #include <algorithm>
 #include <numeric>
 #include <utility>
