@@ -160,7 +160,7 @@ TEST(Delaunay, EveryKindOfPointsInTheHundreds) {
 }
 
 TEST(Delaunay, OfSitesHasAVertexForEach) {
-  for (const std::size_t n : {3u, 4u, 100u, 20000u}) {
+  for (const std::uint32_t n : {3u, 4u, 100u, 20000u}) {
     const std::vector<Point2> points = support::point_set(Kind::uniform, n, 3);
     const auto order = thalweg::detail::spatial_order(points, 1);
     thalweg::detail::Array<Point2> sites;
