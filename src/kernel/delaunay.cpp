@@ -59,13 +59,11 @@ void fill_holes(GhostedTriangulation& mesh, std::span<const std::uint32_t> ghost
 
 /// Three numbers a face from four a slot, each of them converted.
 template <class Convert>
-Array<std::uint32_t> packed(const Array<std::uint32_t>& slots, std::uint32_t face_count, std::size_t parts,
+Array<std::uint32_t> packed(const Array<std::uint32_t>& slots, std::uint32_t face_count, unsigned threads,
                             Convert&& convert) {
   Array<std::uint32_t> faces(3 * std::size_t{face_count});
-  parallel_parts(face_count, parts, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      for (std::size_t i = 0; i < 3; ++i) faces[3 * f + i] = convert(slots[4 * f + i]);
-    }
+  parallel_for(face_count, threads, [&](std::size_t f) {
+    for (std::size_t i = 0; i < 3; ++i) faces[3 * f + i] = convert(slots[4 * f + i]);
   });
   return faces;
 }
@@ -104,13 +102,13 @@ Triangulation without_ghosts(GhostedTriangulation mesh, unsigned threads) {
   const std::vector<std::uint32_t> ghosts = cut_off_ghosts(mesh);
   const auto face_count = static_cast<std::uint32_t>(mesh.origin.size() / 4 - ghosts.size());
   fill_holes(mesh, ghosts, face_count);
-  const std::size_t parts = parts_of(face_count, kRowChunk, threads);
-  Array<std::uint32_t> origin = packed(mesh.origin, face_count, parts, [](std::uint32_t v) { return v; });
+  Array<std::uint32_t> origin = packed(mesh.origin, face_count, threads, [](std::uint32_t v) { return v; });
   mesh.origin = Array<std::uint32_t>();  // braces would empty it and keep the memory
   Array<std::uint32_t> twin =
-      packed(mesh.twin, face_count, parts, [](std::uint32_t h) { return h == kNone ? kNone : h - h / 4; });
+      packed(mesh.twin, face_count, threads, [](std::uint32_t h) { return h == kNone ? kNone : h - h / 4; });
   mesh.twin = Array<std::uint32_t>();
-  Array<std::uint32_t> outgoing = outgoing_of(origin, twin, site_count, parts);
+  Array<std::uint32_t> outgoing =
+      outgoing_of(origin, twin, site_count, parts_of(face_count, kRowChunk, threads));
   return linked(std::move(origin), std::move(twin), std::move(outgoing));
 }
 
