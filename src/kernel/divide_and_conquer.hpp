@@ -9,33 +9,13 @@
 #include <cstdint>
 #include <span>
 
-#include "thalweg/array.hpp"
+#include "kernel/ghosted_triangulation.hpp"
 #include "thalweg/point.hpp"
 
 namespace thalweg::detail {
 
-/// A triangulated sphere: the triangles of the plane, and a ghost for each edge of the hull, whose third
-/// vertex is kGhost.
-///
-/// Half-edge 4t+i (i < 3) of slot t runs from its i-th to its next corner. m sites make 2m - 2 triangles,
-/// ghosts included; if all sites are collinear there are ghosts only.
-struct GhostedTriangulation {
-  Array<std::uint32_t> origin;
-  Array<std::uint32_t> twin;
-  std::uint32_t hull = 0;  ///< the half-edge of some ghost that is on the hull
-};
-
-inline constexpr std::uint32_t kGhost = 0xffffffffu;
-
 /// Half-edge numbers are four bytes and a site takes eight of them.
 inline constexpr std::uint32_t kMaxSites = 0x1fffffffu;
-
-constexpr std::uint32_t next_of(std::uint32_t h) noexcept {
-  return (h & 2) != 0 ? h - 2 : h + 1;
-}
-constexpr std::uint32_t prev_of(std::uint32_t h) noexcept {
-  return (h & 3) == 0 ? h + 2 : h - 1;
-}
 
 /// The canonical Delaunay triangulation of the sites.
 /// Laws: the arrays depend on the sites alone, not on `threads`.

@@ -1,0 +1,419 @@
+/// The cuts, the base cases, and the merge along the seam.
+#include "kernel/part_builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "kernel/predicates_inline.hpp"
+#include "kernel/spatial_order.hpp"
+
+namespace thalweg::detail {
+namespace {
+
+using Index = std::uint32_t;
+
+bool less_along(Axis axis, Point2 a, Point2 b) noexcept {
+  if (axis == Axis::x) return lexicographically_less(a, b);
+  return a.y < b.y || (a.y == b.y && a.x > b.x);
+}
+
+Part single(Index site) noexcept {
+  return {{}, {}, site};
+}
+
+/// Nodes of at most so many sites are sorted along x and merged in that order.
+constexpr Index kLeafSites = 6;
+
+/// A point seen from another.
+struct Leg {
+  double x, y, square;
+
+  Leg(Point2 from, Point2 to) noexcept : x(to.x - from.x), y(to.y - from.y), square(x * x + y * y) {}
+};
+
+double cross(const Leg& a, const Leg& b) noexcept {
+  return a.x * b.y - a.y * b.x;
+}
+
+class Builder {
+ public:
+  explicit Builder(const PartArrays& arrays) noexcept
+      : sites_(arrays.sites), origin_(arrays.origin), twin_(arrays.twin) {}
+
+  /// Triangulates sites [lo, hi), whose keys begin at keys[0]; level 0 are the keys of all sites.
+  Part build(Index lo, Index hi, const Index* keys, int level) const;
+  /// Joins two parts of which the left precedes the right along the axis. Writes slots `slot` and `slot + 1`.
+  Part merge(const Part& left, const Part& right, Axis axis, Index slot) const;
+
+ private:
+  Part build_crowded(Index lo, Index hi, int level) const;
+  Part build_lexicographic(Index lo, Index hi) const;
+  Part build_leaf(Index lo, Index hi) const;
+  Part build_sorted(const Index* ids, Index count, Index slot) const;
+
+  Part pair(Index p, Index q, Index slot) const;
+  Part triple(Index p, Index q, Index r, Index slot) const;
+  Extremes extremes(Axis axis, std::span<const Index> ghosts) const noexcept;
+
+  struct Extreme {
+    Index site, ghost;
+  };
+  std::array<Extreme, 4> outermost_sites(const Part& left, const Part& right, Axis axis) const noexcept;
+
+  Point2 at(Index v) const noexcept { return sites_[v]; }
+
+  Index origin(Index h) const noexcept { return origin_[h]; }
+  Index dest(Index h) const noexcept { return origin_[next_of(h)]; }
+  Index apex(Index h) const noexcept { return origin_[prev_of(h)]; }
+  void link(Index h, Index g) const noexcept {
+    twin_[h] = g;
+    twin_[g] = h;
+  }
+  void set_corners(Index slot, Index a, Index b, Index c) const noexcept {
+    origin_[4 * slot] = a;
+    origin_[4 * slot + 1] = b;
+    origin_[4 * slot + 2] = c;
+  }
+
+  /// For the ghost half-edge of a hull edge: that of the edge after it, or before it, counter-clockwise along
+  /// the hull.
+  Index hull_next(Index h) const noexcept { return prev_of(twin_[prev_of(h)]); }
+  Index hull_prev(Index h) const noexcept { return next_of(twin_[next_of(h)]); }
+
+  struct Seam;
+
+  const Point2* sites_;
+  Index* origin_;
+  Index* twin_;
+};
+
+/// The extremes among the destinations of these ghost half-edges.
+Extremes Builder::extremes(Axis axis, std::span<const Index> ghosts) const noexcept {
+  Extremes result{ghosts[0], ghosts[0]};
+  for (const Index h : ghosts.subspan(1)) {
+    if (less_along(axis, at(dest(h)), at(dest(result.low)))) result.low = h;
+    if (less_along(axis, at(dest(result.high)), at(dest(h)))) result.high = h;
+  }
+  return result;
+}
+
+Part Builder::build(Index lo, Index hi, const Index* keys, int level) const {
+  const Index count = hi - lo;
+  if (count <= kLeafSites) return build_leaf(lo, hi);
+  if (keys[0] == keys[count - 1]) return build_crowded(lo, hi, level);
+  const Cut cut = cut_of({keys, count});
+  const Part left = build(lo, lo + cut.low, keys, level);
+  const Part right = build(lo + cut.low, hi, keys + cut.low, level);
+  return merge(left, right, cut.axis, slot_at(lo + cut.low));
+}
+
+/// Sites in one cell.
+Part Builder::build_crowded(Index lo, Index hi, int level) const {
+  if (hi - lo <= kCellSites || level + 1 == kKeyLevels) return build_lexicographic(lo, hi);
+  std::vector<Index> keys(hi - lo);
+  morton_keys(std::span(sites_ + lo, hi - lo), keys);
+  return build(lo, hi, keys.data(), level + 1);
+}
+
+Part Builder::build_lexicographic(Index lo, Index hi) const {
+  if (hi - lo <= kLeafSites) return build_leaf(lo, hi);
+  const Index mid = lo + (hi - lo) / 2;
+  const Part left = build_lexicographic(lo, mid);
+  const Part right = build_lexicographic(mid, hi);
+  return merge(left, right, Axis::x, slot_at(mid));
+}
+
+Part Builder::build_leaf(Index lo, Index hi) const {
+  std::array<Index, kLeafSites> ids;
+  for (Index i = lo; i < hi; ++i) {
+    Index k = i - lo;
+    for (; k > 0 && lexicographically_less(at(i), at(ids[k - 1])); --k) ids[k] = ids[k - 1];
+    ids[k] = i;
+  }
+  return build_sorted(ids.data(), hi - lo, 2 * lo);
+}
+
+Part Builder::build_sorted(const Index* ids, Index count, Index slot) const {
+  if (count == 1) return single(ids[0]);
+  if (count == 2) return pair(ids[0], ids[1], slot);
+  if (count == 3) return triple(ids[0], ids[1], ids[2], slot);
+  const Index half = count / 2;
+  const Part left = build_sorted(ids, half, slot);
+  const Part right = build_sorted(ids + half, count - half, slot + 2 * half);
+  return merge(left, right, Axis::x, slot + 2 * half - 2);
+}
+
+/// An edge: two ghosts back to back.
+Part Builder::pair(Index p, Index q, Index slot) const {
+  const Index below = 4 * slot, above = below + 4;
+  set_corners(slot, q, p, kGhost);
+  set_corners(slot + 1, p, q, kGhost);
+  link(below, above);
+  link(below + 1, above + 2);
+  link(below + 2, above + 1);
+  const Index ghosts[] = {below, above};
+  return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
+}
+
+/// Three sites in lexicographic order: a triangle with three ghosts, or two edges in a row with four.
+Part Builder::triple(Index p, Index q, Index r, Index slot) const {
+  const int turn = orient2d_sign(at(p), at(q), at(r));
+  if (turn == 0) return merge(single(p), pair(q, r, slot + 2), Axis::x, slot);
+  const Index a = turn > 0 ? q : r, b = turn > 0 ? r : q;
+  const Index face = 4 * slot, pa = face + 4, ab = face + 8, bp = face + 12;
+  set_corners(slot, p, a, b);
+  set_corners(slot + 1, a, p, kGhost);
+  set_corners(slot + 2, b, a, kGhost);
+  set_corners(slot + 3, p, b, kGhost);
+  link(face, pa);
+  link(face + 1, ab);
+  link(face + 2, bp);
+  link(pa + 1, bp + 2);
+  link(ab + 1, pa + 2);
+  link(bp + 1, ab + 2);
+  const Index ghosts[] = {pa, ab, bp};
+  return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
+}
+
+/// The growing front between two parts. Its last edge, the base, runs from a on the left to b on the right,
+/// and everything below it is final.
+///
+///          ghost                       a_next = origin(left), the next site up the hull of the left part
+///     a_next    b_next                 left   = half-edge a_next -> a of a ghost
+///        \ left  right /               right  = half-edge b -> b_next of a ghost
+///         a -- base - b                below  = half-edge b -> a of the triangle below the base
+///
+/// The edges from a and from b to the ghost vertex have no twin in the arrays while the front is here.
+struct Builder::Seam {
+  const Builder& mesh;
+  Index a, b;
+  Index left, right;
+  Index below;
+
+  Point2 at(Index v) const noexcept { return mesh.at(v); }
+  Index a_next() const noexcept { return mesh.origin(left); }
+  Index b_next() const noexcept { return mesh.dest(right); }
+
+  /// Whether v is strictly above the base.
+  bool above(const Leg& to_b, const Leg& to_v, double turn, Index v) const noexcept {
+    if (std::fabs(turn) >
+        kOrient2dBound * (std::fabs(to_b.x * to_v.y) + std::fabs(to_b.y * to_v.x)) + kUnderflowMargin) {
+      return turn > 0;
+    }
+    return orient2d_unfiltered(at(a), at(b), at(v)) > 0;
+  }
+
+  /// Whether v is inside the circle of a, b, c.
+  bool inside(const Leg& to_b, const Leg& to_c, double turn, const Leg& to_v, Index c,
+              Index v) const noexcept {
+    const double det = to_b.square * cross(to_c, to_v) + to_c.square * cross(to_v, to_b) + to_v.square * turn;
+    const double size = to_b.square + to_c.square + to_v.square;
+    if (std::fabs(det) > kIncircleBound * (size * size) + kUnderflowMargin) return det < 0;
+    return incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
+  }
+
+  void drop_left() noexcept;
+  void drop_right() noexcept;
+  void take_left() noexcept;
+  void take_right() noexcept;
+  void rise() noexcept;
+};
+
+/// Removes the edge from a to a_next. The triangle behind it and the ghost on it become the ghosts of the two
+/// edges that come to light:
+///
+///      a_next                 a_next
+///      /   | \                /    \                  .
+///    a''   |  ghost   =>    a''     ghost             .
+///      \   | /                \    /                  .
+///        a                      a
+void Builder::Seam::drop_left() noexcept {
+  const Index to_next = mesh.twin_[left];  // a -> a_next -> a'' -> a
+  const Index to_second = next_of(to_next), back = prev_of(to_next);
+  const Index outer = mesh.twin_[to_second];
+  mesh.origin_[next_of(left)] = mesh.origin(back);
+  mesh.origin_[to_second] = kGhost;
+  mesh.link(left, outer);
+  mesh.link(next_of(left), to_second);
+  left = back;
+}
+
+/// The mirror image of drop_left.
+void Builder::Seam::drop_right() noexcept {
+  const Index from_next = mesh.twin_[right];  // b_next -> b -> b'' -> b_next
+  const Index to_second = next_of(from_next), back = prev_of(from_next);
+  const Index outer = mesh.twin_[back];
+  mesh.origin_[right] = mesh.origin(back);
+  mesh.origin_[from_next] = kGhost;
+  mesh.link(prev_of(right), back);
+  mesh.link(right, outer);
+  right = to_second;
+}
+
+/// The ghost on a, a_next becomes the triangle a, b, a_next, and b, a_next the base.
+void Builder::Seam::take_left() noexcept {
+  const Index up = prev_of(left);
+  const Index beyond = mesh.twin_[up];
+  mesh.origin_[up] = b;
+  mesh.link(next_of(left), below);
+  a = mesh.origin(left);
+  below = up;
+  left = prev_of(beyond);
+}
+
+/// The ghost on b, b_next becomes the triangle a, b, b_next, and a, b_next the base.
+void Builder::Seam::take_right() noexcept {
+  const Index up = next_of(right);
+  const Index down = prev_of(right);
+  const Index beyond = mesh.twin_[up];
+  mesh.origin_[down] = a;
+  mesh.link(down, below);
+  b = mesh.origin(up);
+  below = up;
+  right = next_of(beyond);
+}
+
+/// Raises the base to the upper common tangent.
+///
+/// Everything is measured from a: `to_b` and so on are differences of coordinates, and their products serve
+/// several tests, and the next base too if it also begins at a.
+void Builder::Seam::rise() noexcept {
+  Leg to_b(at(a), at(b));
+  Leg to_c = left != kGhost ? Leg(at(a), at(a_next())) : to_b;
+  for (;;) {
+    bool left_open = false, right_open = false;
+    double turn_c = 0, turn_d = 0;
+    if (left != kGhost) {
+      turn_c = cross(to_b, to_c);
+      left_open = above(to_b, to_c, turn_c, a_next());
+    }
+    if (left_open) {
+      for (;;) {
+        const Index v = mesh.apex(mesh.twin_[left]);
+        if (v == kGhost) break;
+        const Leg to_v(at(a), at(v));
+        if (!inside(to_b, to_c, turn_c, to_v, a_next(), v)) break;
+        drop_left();
+        to_c = to_v;
+        turn_c = cross(to_b, to_c);
+      }
+    }
+    Leg to_d = to_b;
+    if (right != kGhost) {
+      to_d = Leg(at(a), at(b_next()));
+      turn_d = cross(to_b, to_d);
+      right_open = above(to_b, to_d, turn_d, b_next());
+    }
+    if (right_open) {
+      for (;;) {
+        const Index v = mesh.apex(mesh.twin_[right]);
+        if (v == kGhost) break;
+        const Leg to_v(at(a), at(v));
+        if (!inside(to_b, to_d, turn_d, to_v, b_next(), v)) break;
+        drop_right();
+        to_d = to_v;
+        turn_d = cross(to_b, to_d);
+      }
+    }
+    if (!left_open && !right_open) return;
+    if (!left_open || (right_open && inside(to_b, to_c, turn_c, to_d, a_next(), b_next()))) {
+      take_right();
+      to_b = to_d;
+    } else {
+      take_left();
+      to_b = Leg(at(a), at(b));
+      if (left != kGhost) to_c = Leg(at(a), at(a_next()));
+    }
+  }
+}
+
+/// The least and the greatest site of two parts along x, then along y, while the parts are still apart; the
+/// left one precedes the right one along the axis.
+std::array<Builder::Extreme, 4> Builder::outermost_sites(const Part& left, const Part& right,
+                                                         Axis axis) const noexcept {
+  const auto extreme = [this](const Part& part, Axis along, Index Extremes::*end) {
+    const Index ghost = part.along(along).*end;
+    return part.is_single() ? Extreme{part.single, kGhost} : Extreme{dest(ghost), ghost};
+  };
+  std::array<Extreme, 4> result;
+  std::size_t i = 0;
+  for (const Axis along : {Axis::x, Axis::y}) {
+    Extreme low = extreme(left, along, &Extremes::low), high = extreme(right, along, &Extremes::high);
+    if (along != axis) {
+      const Extreme other_low = extreme(right, along, &Extremes::low);
+      const Extreme other_high = extreme(left, along, &Extremes::high);
+      if (less_along(along, at(other_low.site), at(low.site))) low = other_low;
+      if (less_along(along, at(high.site), at(other_high.site))) high = other_high;
+    }
+    result[i++] = low;
+    result[i++] = high;
+  }
+  return result;
+}
+
+Part Builder::merge(const Part& left, const Part& right, Axis axis, Index slot) const {
+  const bool left_single = left.is_single(), right_single = right.is_single();
+  // The lower common tangent, from the two extremes that face each other: `in` enters a, `out` leaves b.
+  Index in = left_single ? kGhost : hull_prev(left.along(axis).high);
+  Index out = right_single ? kGhost : right.along(axis).low;
+  Index a = left_single ? left.single : origin(in);
+  Index b = right_single ? right.single : dest(out);
+  for (bool moved = true; moved;) {
+    moved = false;
+    while (!left_single && orient2d_sign(at(a), at(b), at(dest(in))) < 0) {
+      a = dest(in);
+      in = hull_prev(in);
+      moved = true;
+    }
+    while (!right_single && orient2d_sign(at(a), at(b), at(origin(out))) < 0) {
+      b = origin(out);
+      out = hull_next(out);
+      moved = true;
+    }
+  }
+  const Index bottom = 4 * slot, top = bottom + 4;
+  const std::array<Extreme, 4> outermost = outermost_sites(left, right, axis);
+
+  const Index first_left = left_single ? kGhost : hull_next(in);
+  const Index first_right = right_single ? kGhost : hull_prev(out);
+  Seam seam{*this, a, b, first_left, first_right, bottom};
+  set_corners(slot, b, a, kGhost);  // b -> a -> ghost
+  const Index a_out = left_single ? top + 2 : prev_of(in);
+  const Index b_in = right_single ? top + 1 : next_of(out);
+  link(bottom + 1, a_out);
+  link(bottom + 2, b_in);
+
+  seam.rise();
+
+  set_corners(slot + 1, seam.a, seam.b, kGhost);  // a -> b -> ghost
+  link(top, seam.below);
+  if (!right_single) link(top + 1, prev_of(seam.right));
+  if (!left_single) link(top + 2, next_of(seam.left));
+  // The hull edges that leave these sites are the old ones, but at the ends of the tangents.
+  const auto ghost_of = [&](const Extreme& extreme) {
+    return extreme.site == a ? bottom : extreme.site == seam.b ? top : extreme.ghost;
+  };
+  return {{ghost_of(outermost[0]), ghost_of(outermost[1])}, {ghost_of(outermost[2]), ghost_of(outermost[3])}};
+}
+
+}  // namespace
+
+Cut cut_of(std::span<const Index> keys) noexcept {
+  const Index bit = std::bit_floor(keys.front() ^ keys.back());
+  const auto high =
+      std::partition_point(keys.begin(), keys.end(), [bit](Index key) { return (key & bit) == 0; });
+  return {(bit & 0xaaaaaaaau) != 0 ? Axis::x : Axis::y, static_cast<Index>(high - keys.begin())};
+}
+
+Part build_part(const PartArrays& arrays, Index lo, Index hi, const Index* keys) {
+  return Builder(arrays).build(lo, hi, keys, 0);
+}
+
+Part merge_parts(const PartArrays& arrays, const Part& left, const Part& right, Axis axis, Index slot) {
+  return Builder(arrays).merge(left, right, axis, slot);
+}
+
+}  // namespace thalweg::detail
