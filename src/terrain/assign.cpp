@@ -30,15 +30,13 @@ Outcome insert_all(const Surface& surface, const Units& units, std::span<const s
     if (!insertion.plan(outcome.triangulation, surface.sites(), exit.from, exit.to))
       continue;  // a Delaunay edge
     insertion.apply(outcome.triangulation);
-    ++outcome.insertions;
+    const std::uint32_t pit = surface.pit_of(exit.from);
+    outcome.note_insertion(exit.order, exit.from, exit.to,
+                           pit == Surface::kNoPit ? VertexId() : surface.lowest(surface.pits()[pit]),
+                           watch.keep_trail);
     if (owner != nullptr) {
       for (const FaceId f : insertion.faces()) (*owner)[f.index()] = e;
     }
-    if (!watch.keep_trail) continue;
-    const std::uint32_t pit = surface.pit_of(exit.from);
-    outcome.trail.push_back({TrailStep::Kind::insertion, exit.order, exit.from, exit.to, VertexId(),
-                             VertexId(),
-                             pit == Surface::kNoPit ? VertexId() : surface.lowest(surface.pits()[pit])});
   }
   outcome.pits = find_pits(outcome.triangulation, surface.z()).size();
   return outcome;

@@ -83,7 +83,7 @@ class Chains {
     const auto after = static_cast<int>(flats_.pits_touching(t, insertion.vertices()));
     debt += after - before;
     const std::size_t steps_before = outcome_.trail.size();
-    record(exit);
+    outcome_.note_insertion(exit.order, exit.from, exit.to, VertexId(), watch_.keep_trail);
     if (debt < 0) {
       outcome_.pits -= static_cast<std::uint32_t>(-debt);
       return true;
@@ -99,13 +99,6 @@ class Chains {
     outcome_.trail.resize(steps_before);
     --outcome_.insertions;
     return false;
-  }
-
-  void record(const Exit& exit) {
-    ++outcome_.insertions;
-    if (!watch_.keep_trail) return;
-    outcome_.trail.push_back(
-        {TrailStep::Kind::insertion, exit.order, exit.from, exit.to, VertexId(), VertexId(), VertexId()});
   }
 
   /// All pairs of p to lower or level ground, by order, then elevation. (Whether level ground is outside the

@@ -68,14 +68,12 @@ class ExactSearch {
   }
 
   void keep(std::uint32_t pits) {
-    best_.triangulation = completion_.triangulation();
-    best_.pits = pits;
-    best_.insertions = required_.size();
-    best_.trail.clear();
-    if (!watch_.keep_trail) return;
-    for (const RequiredEdge& e : required_) {
-      best_.trail.push_back({TrailStep::Kind::insertion, 0, e.u, e.v, VertexId(), VertexId(), VertexId()});
-    }
+    Outcome found;
+    found.triangulation = completion_.triangulation();
+    found.pits = pits;
+    found.circle_counts = best_.circle_counts;
+    for (const RequiredEdge& e : required_) found.note_insertion(0, e.u, e.v, VertexId(), watch_.keep_trail);
+    best_ = std::move(found);
   }
 
   /// Branches on the pit with the fewest ways out, unless the stuck ones alone are too many.

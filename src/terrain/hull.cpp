@@ -58,11 +58,7 @@ class Inserter {
       return false;
     }
     outcome_.pits -= before - after;
-    ++outcome_.insertions;
-    if (watch_.keep_trail) {
-      outcome_.trail.push_back(
-          {TrailStep::Kind::insertion, exit.order, exit.from, exit.to, VertexId(), VertexId(), pit_});
-    }
+    outcome_.note_insertion(exit.order, exit.from, exit.to, pit_, watch_.keep_trail);
     return true;
   }
 

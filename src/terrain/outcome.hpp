@@ -21,6 +21,15 @@ struct Outcome {
   std::uint64_t insertions = 0;
   std::uint64_t circle_counts = 0;
   std::vector<std::uint32_t> face_orders = {};  // of every face, if they were counted on the way; else empty
+
+  /// Notes that an edge was inserted from `from` to `to`, and what pit that removed. Orders counted before
+  /// are no longer those of all faces.
+  void note_insertion(unsigned order, VertexId from, VertexId to, VertexId pit, bool keep_trail) {
+    ++insertions;
+    face_orders.clear();
+    if (keep_trail)
+      trail.push_back({TrailStep::Kind::insertion, order, from, to, VertexId(), VertexId(), pit});
+  }
 };
 
 /// How a long computation is watched and stopped. A stage that finds `stopped()` true returns early; what it
