@@ -43,9 +43,9 @@ class Builder {
   explicit Builder(const PartArrays& arrays) noexcept
       : sites_(arrays.sites), origin_(arrays.origin), twin_(arrays.twin) {}
 
-  /// Triangulates sites [lo, hi), whose keys begin at keys[0]; level 0 are the keys of all sites.
+  /// build_part, at some level of keys: those of all sites have level 0, those of a crowded cell one more.
   Part build(Index lo, Index hi, const Index* keys, int level) const;
-  /// Joins two parts of which the left precedes the right along the axis. Writes slots `slot` and `slot + 1`.
+  /// merge_parts.
   Part merge(const Part& left, const Part& right, Axis axis, Index slot) const;
 
  private:

@@ -30,7 +30,7 @@ Outcome insert_all(const Surface& surface, const Units& units, std::span<const s
     if (!insertion.plan(outcome.triangulation, surface.sites(), exit.from, exit.to))
       continue;  // a Delaunay edge
     insertion.apply(outcome.triangulation);
-    const std::uint32_t pit = surface.pit_of(exit.from);
+    const std::uint32_t pit = watch.keep_trail ? surface.pit_of(exit.from) : Surface::kNoPit;
     outcome.note_insertion(exit.order, exit.from, exit.to,
                            pit == Surface::kNoPit ? VertexId() : surface.lowest(surface.pits()[pit]),
                            watch.keep_trail);
