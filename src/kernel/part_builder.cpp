@@ -215,6 +215,9 @@ struct Builder::Seam {
     return incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
   }
 
+  template <class Next, class Drop>
+  void thin_out(const Leg& to_b, Leg& to_next, double& turn, const Index& side, Next next,
+                Drop drop) const noexcept;
   void drop_left() noexcept;
   void drop_right() noexcept;
   void take_left() noexcept;
@@ -276,6 +279,23 @@ void Builder::Seam::take_right() noexcept {
   right = next_of(beyond);
 }
 
+/// Drops the edges of one side for as long as what is behind the next site, `next`, is inside the circle of
+/// the base and `next`. `to_next` is that site seen from a, `turn` where it is as seen from the base; both go
+/// along.
+template <class Next, class Drop>
+void Builder::Seam::thin_out(const Leg& to_b, Leg& to_next, double& turn, const Index& side, Next next,
+                             Drop drop) const noexcept {
+  for (;;) {
+    const Index v = mesh.apex(mesh.twin_[side]);
+    if (v == kGhost) return;
+    const Leg to_v(at(a), at(v));
+    if (!inside(to_b, to_next, turn, to_v, next(), v)) return;
+    drop();
+    to_next = to_v;
+    turn = cross(to_b, to_next);
+  }
+}
+
 /// Raises the base to the upper common tangent.
 ///
 /// Everything is measured from a: `to_b` and so on are differences of coordinates, and their products serve
@@ -290,34 +310,18 @@ void Builder::Seam::rise() noexcept {
       turn_c = cross(to_b, to_c);
       left_open = above(to_b, to_c, turn_c, a_next());
     }
-    if (left_open) {
-      for (;;) {
-        const Index v = mesh.apex(mesh.twin_[left]);
-        if (v == kGhost) break;
-        const Leg to_v(at(a), at(v));
-        if (!inside(to_b, to_c, turn_c, to_v, a_next(), v)) break;
-        drop_left();
-        to_c = to_v;
-        turn_c = cross(to_b, to_c);
-      }
-    }
+    if (left_open)
+      thin_out(
+          to_b, to_c, turn_c, left, [this] { return a_next(); }, [this] { drop_left(); });
     Leg to_d = to_b;
     if (right != kGhost) {
       to_d = Leg(at(a), at(b_next()));
       turn_d = cross(to_b, to_d);
       right_open = above(to_b, to_d, turn_d, b_next());
     }
-    if (right_open) {
-      for (;;) {
-        const Index v = mesh.apex(mesh.twin_[right]);
-        if (v == kGhost) break;
-        const Leg to_v(at(a), at(v));
-        if (!inside(to_b, to_d, turn_d, to_v, b_next(), v)) break;
-        drop_right();
-        to_d = to_v;
-        turn_d = cross(to_b, to_d);
-      }
-    }
+    if (right_open)
+      thin_out(
+          to_b, to_d, turn_d, right, [this] { return b_next(); }, [this] { drop_right(); });
     if (!left_open && !right_open) return;
     if (!left_open || (right_open && inside(to_b, to_c, turn_c, to_d, a_next(), b_next()))) {
       take_right();
