@@ -27,15 +27,14 @@ class SharedBuild {
     arrivals_ = std::vector<std::atomic<unsigned>>(joints_.size());
   }
 
-  /// The part of all sites.
-  Part run(unsigned threads) {
+  /// Makes one part of all.
+  void run(unsigned threads) {
     parallel_chunks(pieces_.size(), 1, threads, [this] {
       return [this](std::size_t begin, std::size_t end) {
         for (const Piece& piece : std::span(pieces_).subspan(begin, end - begin))
           bring(build_part(arrays_, piece.lo, piece.hi, &keys_[piece.lo]), piece.goal);
       };
     });
-    return whole_;
   }
 
  private:
@@ -79,7 +78,6 @@ class SharedBuild {
       if (arrivals_[goal.joint].fetch_add(1) == 0) return;  // the other part's thread goes on
       part = merge_parts(arrays_, joint.parts[0], joint.parts[1], joint.axis, joint.slot);
     }
-    whole_ = part;
   }
 
   PartArrays arrays_;
@@ -88,7 +86,6 @@ class SharedBuild {
   std::vector<Piece> pieces_;
   std::vector<Joint> joints_;
   std::vector<std::atomic<unsigned>> arrivals_;
-  Part whole_;
 };
 
 /// Sites of a piece: some pieces a thread, so that none waits long for the last; all for a single thread.
@@ -107,7 +104,7 @@ GhostedTriangulation divide_and_conquer(std::span<const Point2> sites, std::span
   mesh.origin = Array<Index>(std::size_t{8} * (count - 1));
   mesh.twin = Array<Index>(std::size_t{8} * (count - 1));
   const PartArrays arrays{sites.data(), mesh.origin.data(), mesh.twin.data()};
-  mesh.hull = SharedBuild(arrays, keys, sites_of_piece(count, threads)).run(threads).along_x.low;
+  SharedBuild(arrays, keys, sites_of_piece(count, threads)).run(threads);
   return mesh;
 }
 

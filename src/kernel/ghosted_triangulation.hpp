@@ -11,11 +11,11 @@ namespace thalweg::detail {
 /// vertex is kGhost.
 ///
 /// Half-edge 4t+i (i < 3) of slot t runs from its i-th to its next corner. m sites make 2m - 2 triangles,
-/// ghosts included; if all sites are collinear there are ghosts only.
+/// ghosts included; if all sites are collinear there are ghosts only. Triangles are in slots near twice the
+/// numbers of their sites, most of them.
 struct GhostedTriangulation {
   Array<std::uint32_t> origin;
   Array<std::uint32_t> twin;
-  std::uint32_t hull = 0;  ///< the half-edge of some ghost that is on the hull
 };
 
 inline constexpr std::uint32_t kGhost = 0xffffffffu;
