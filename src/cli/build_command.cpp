@@ -30,7 +30,7 @@ constexpr std::array kMeshFormats = {io::Format::ply,    io::Format::ply_ascii, 
                                      io::Format::svg,    io::Format::html};
 constexpr std::array kPitFormats = {io::Format::geojson, io::Format::csv, io::Format::tsv};
 
-constexpr const char* kFooter =
+constexpr const char* kBuildFooter =
     "x and y are metres or any other unit of length, the same on both axes (not degrees); elevations are "
     "only\n"
     "compared, so their unit is free. No coordinate is ever changed. Vertices of every output are in the "
@@ -302,7 +302,7 @@ Command add_build(CLI::App& thalweg) {
       [options](std::uint64_t bytes) { options->max_memory = bytes; });
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kBuildFooter);
   return {app, [options](Console& console) { return run_build(*options, console); }};
 }
 

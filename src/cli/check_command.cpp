@@ -23,7 +23,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kCheckFooter =
     "Sound means: the triangles are counter-clockwise, do not overlap, use every vertex and cover the convex "
     "hull.\n"
     "The order of a triangle is the number of vertices strictly inside its circumcircle; a Delaunay mesh has "
@@ -267,7 +267,7 @@ Command add_check(CLI::App& thalweg) {
   app->add_flag("--fail-on-pits", options->fail_on_pits, "Fail if there is an interior pit");
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kCheckFooter);
   return {app, [options](Console& console) { return run_check(*options, console); }};
 }
 

@@ -20,7 +20,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kEdgesFooter =
     "The useful order of a pair is the least k for which some triangulation of order k joins it. The output "
     "has the\n"
     "header u,v,order and one row a pair: u and v are rows of the input counted from 0 (rows without data "
@@ -192,7 +192,7 @@ Command add_edges(CLI::App& thalweg) {
   add_duplicates(*app, options->duplicates);
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kEdgesFooter);
   return {app, [options](Console& console) { return run_edges(*options, console); }};
 }
 

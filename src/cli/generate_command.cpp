@@ -26,7 +26,7 @@ namespace {
 
 constexpr const char* kKinds = "fractal, ridge, plateau, ring, grid, lidar, theorem1, corollary2";
 
-constexpr const char* kFooter =
+constexpr const char* kGenerateFooter =
     "Terrains of N points:\n"
     "  fractal     rough ground, uniform places; about 4 % of the points are pits\n"
     "  ridge       narrow oblique valleys, which Delaunay edges dam\n"
@@ -234,7 +234,7 @@ Command add_generate(CLI::App& thalweg) {
                      "File of points to write (xyz, csv, tsv, tlw, npy); - is stdout");
   app->get_option("--output")->required();
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kGenerateFooter);
   return {app, [options](Console& console) { return run_generate(*options, console); }};
 }
 

@@ -22,7 +22,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kInfoFooter =
     "Duplicates: rows equal to another in x, y and z (exact), and further elevations at a place (x, y) "
     "(other z).\n"
     "\n"
@@ -170,7 +170,7 @@ Result<FileFacts> read_facts(const InfoOptions& options) {
   }
 }
 
-Json to_json(const Range& range) {
+Json range_to_json(const Range& range) {
   return Json::array({range.least, range.largest});
 }
 
@@ -183,8 +183,9 @@ Json summarize(const InfoOptions& options, const FileFacts& facts) {
   summary["duplicates"] = {{"exact", points.exact_duplicates}, {"other_z", points.other_z}};
   summary["skipped_nodata"] = facts.skipped_nodata;
   summary["collinear"] = points.collinear;
-  summary["extent"] = {
-      {"x", to_json(points.extent[0])}, {"y", to_json(points.extent[1])}, {"z", to_json(points.extent[2])}};
+  summary["extent"] = {{"x", range_to_json(points.extent[0])},
+                       {"y", range_to_json(points.extent[1])},
+                       {"z", range_to_json(points.extent[2])}};
   if (facts.grid) {
     summary["grid"] = {{"columns", facts.grid->columns},
                        {"rows", facts.grid->rows},
@@ -265,7 +266,7 @@ Command add_info(CLI::App& thalweg) {
       ->required();
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kInfoFooter);
   return {app, [options](Console& console) { return run_info(*options, console); }};
 }
 

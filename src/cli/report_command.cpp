@@ -22,7 +22,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kReportFooter =
     "MESH is a triangulation of any tool; it is compared with the Delaunay triangulation of its vertices. "
     "SUMMARY "
     "is what\n"
@@ -250,7 +250,7 @@ Command add_report(CLI::App& thalweg) {
   add_report_options(*app, options->report);
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kReportFooter);
   return {app, [options](Console& console) { return run_report(*options, console); }};
 }
 

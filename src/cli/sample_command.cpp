@@ -19,7 +19,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSampleFooter =
     "Every set of N cells that have data is equally likely. The points are the centres of the cells, in the "
     "order of\n"
     "the grid: row by row from the top left. The same grid, N and seed give the same bytes on every "
@@ -135,7 +135,7 @@ Command add_sample(CLI::App& thalweg) {
   app->get_option("--output")->required();
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kSampleFooter);
   return {app, [options](Console& console) { return run_sample(*options, console); }};
 }
 

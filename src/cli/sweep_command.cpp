@@ -16,7 +16,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSweepFooter =
     "For each order: the pits (interior and boundary) that the methods flip, hull and best leave, and the "
     "lower bound\n"
     "that no triangulation of that order goes below. Certified: best is proved to be the minimum.\n"
@@ -58,7 +58,7 @@ std::string to_csv(const std::vector<std::string>& files, const std::vector<Swee
   return text;
 }
 
-Json to_json(const std::vector<std::string>& files, const std::vector<Sweep>& sweeps) {
+Json sweeps_to_json(const std::vector<std::string>& files, const std::vector<Sweep>& sweeps) {
   Json array = Json::array();
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     Json rows = Json::array();
@@ -113,7 +113,7 @@ std::optional<Error> write_outputs(const SweepOptions& options, std::span<const 
     if (auto error = batch.add(target.path, write_text(to_csv(options.points, sweeps)))) return error;
   }
   if (!options.run.json.empty()) {
-    const std::string text = to_text(to_json(options.points, sweeps));
+    const std::string text = to_text(sweeps_to_json(options.points, sweeps));
     if (auto error = batch.add(options.run.json, write_text(text))) return error;
   }
   return batch.commit();
@@ -157,7 +157,7 @@ Command add_sweep(CLI::App& thalweg) {
   add_duplicates(*app, options->duplicates);
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kSweepFooter);
   return {app, [options](Console& console) { return run_sweep(*options, console); }};
 }
 

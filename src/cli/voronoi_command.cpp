@@ -22,7 +22,7 @@
 namespace thalweg::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kVoronoiFooter =
     "A cell is where a certain K points are nearer than all others. Outputs .geojson and .svg are the "
     "diagram, "
     "clipped to\n"
@@ -265,7 +265,7 @@ Command add_voronoi(CLI::App& thalweg) {
   add_duplicates(*app, options->duplicates);
   add_input_options(*app, options->input);
   add_run_options(*app, options->run);
-  app->footer(kFooter);
+  app->footer(kVoronoiFooter);
   return {app, [options](Console& console) { return run_voronoi(*options, console); }};
 }
 
