@@ -20,6 +20,9 @@ constexpr Index kNone = HalfedgeId::kInvalid;
 /// Two slots a site.
 constexpr Index kBlockSlots = 1u << 14, kBlockSites = kBlockSlots / 2;
 
+/// So many at least are worth a thread.
+constexpr std::size_t kBlocksOfThread = 4;
+
 class Packing {
  public:
   Packing(GhostedTriangulation mesh, unsigned threads)
@@ -28,7 +31,7 @@ class Packing {
         blocks_((slot_count_ + kBlockSlots - 1) / kBlockSlots),
         ghosts_(blocks_.size()),
         hull_(blocks_.size()),
-        parts_(parts_of(blocks_.size(), 8, threads)) {
+        parts_(parts_of(blocks_.size(), kBlocksOfThread, threads)) {
     find_ghosts();
   }
 
