@@ -13,7 +13,7 @@ namespace thalweg::io {
 namespace {
 
 constexpr std::size_t kPrefix = 8;  // the magic and the version
-constexpr std::size_t kLongest = std::size_t{1} << 20;
+constexpr std::size_t kLongestHeader = std::size_t{1} << 20;
 
 /// What the literal says, as text and numbers.
 struct Literal {
@@ -156,7 +156,7 @@ Result<NpyHeader> parse_npy_header(InputFile& input) {
   }
   const std::size_t width = major == 1 ? 2 : 4;
   const std::uint64_t length = little_endian_number(input.bytes().data() + kPrefix, width);
-  if (length > kLongest)
+  if (length > kLongestHeader)
     return faulty(input, "has a header of " + std::to_string(length) + " bytes: it is damaged");
   NpyHeader header;
   header.size = kPrefix + width + static_cast<std::size_t>(length);

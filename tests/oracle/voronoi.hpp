@@ -93,7 +93,7 @@ inline std::vector<std::uint32_t> k_nearest(std::span<const thalweg::Point2> poi
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), order.end(),
                     [&](std::uint32_t i, std::uint32_t j) {
                       const thalweg::Point2 a = points[i], b = points[j];
-                      if (const int sign = compare_distance(q, a, b); sign != 0) return sign < 0;
+                      if (const int sign = oracle::compare_distance(q, a, b); sign != 0) return sign < 0;
                       return a.x < b.x || (a.x == b.x && a.y < b.y);
                     });
   order.resize(k);

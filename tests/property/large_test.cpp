@@ -5,32 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "support/random.hpp"
 #include "support/run.hpp"
 
 namespace {
 
 using support::Cloud;
+using support::Random;
 using thalweg::Method;
 using thalweg::Minimized;
-
-/// The same numbers on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  double below(std::uint32_t bound) {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>((state_ >> 33) % bound);
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 Cloud lattice(std::uint32_t side, std::uint32_t levels) {
   Random random(side);
   Cloud cloud;
   for (std::uint32_t i = 0; i < side * side; ++i) {
-    cloud.points.push_back({double(i % side), double(i / side), random.below(levels)});
+    cloud.points.push_back({double(i % side), double(i / side), double(random.below(levels))});
   }
   return cloud;
 }
@@ -38,10 +27,10 @@ Cloud lattice(std::uint32_t side, std::uint32_t levels) {
 Cloud ring_with_others() {
   Random random(5);
   std::vector<thalweg::Point3> points;
-  for (const auto& p : support::integer_circle(32045)) points.push_back({p.x, p.y, random.below(300)});
+  for (const auto& p : support::integer_circle(32045))
+    points.push_back({p.x, p.y, double(random.below(300))});
   for (int i = 0; i < 300; ++i) {
-    const double x = random.below(90001) - 45000;
-    points.push_back({x, random.below(90001) - 45000, random.below(300)});
+    points.push_back({random.whole(-45000, 45000), random.whole(-45000, 45000), random.whole(0, 299)});
   }
   return support::make_cloud(points);
 }
@@ -50,8 +39,7 @@ Cloud scattered(std::uint32_t size, std::uint32_t levels) {
   Random random(size + levels);
   std::vector<thalweg::Point3> points;
   for (std::uint32_t i = 0; i < size; ++i) {
-    const double x = random.below(20000);
-    points.push_back({x, random.below(20000), random.below(levels)});
+    points.push_back({random.whole(0, 19999), random.whole(0, 19999), double(random.below(levels))});
   }
   return support::make_cloud(points);
 }

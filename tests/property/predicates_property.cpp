@@ -11,47 +11,27 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <string>
 
 #include "kernel/predicates_inline.hpp"
 #include "kernel/wide_multiply.hpp"
 #include "oracle/exact_predicates.hpp"
+#include "support/random.hpp"
+#include "support/special_values.hpp"
 #include "thalweg/predicates.hpp"
 
 namespace {
 
+using support::kInfinity;
+using support::Random;
 using thalweg::Point2;
 using thalweg::detail::MaybeSign;
 using Tuple = std::array<Point2, 4>;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   const char* text = std::getenv(name);
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
-
-/// SplitMix64: the same cases from every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  int between(int low, int high) {
-    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-  double whole(int low, int high) { return static_cast<double>(between(low, high)); }
-
- private:
-  std::uint64_t state_;
-};
 
 /// 0 to 4 doubles up or down.
 double nudged(Random& random, double value) {
@@ -139,7 +119,7 @@ Tuple exactly_cocircular(Random& random) {
 
 double any_double(Random& random) {
   for (;;) {
-    const auto value = std::bit_cast<double>(random.bits());
+    const auto value = std::bit_cast<double>(random.next());
     if (std::isfinite(value)) return value;
   }
 }

@@ -6,13 +6,10 @@
 
 #include "oracle/terrain.hpp"
 #include "support/cloud.hpp"
+#include "support/ids.hpp"
 #include "thalweg/thalweg.hpp"
 
 namespace support {
-
-inline thalweg::VertexId vertex(std::uint32_t i) {
-  return thalweg::VertexId(i);
-}
 
 /// The faces as the oracle writes them.
 inline std::vector<oracle::Tri> triangles_of(const thalweg::Triangulation& t) {
@@ -26,7 +23,7 @@ inline std::vector<oracle::Tri> triangles_of(const thalweg::Triangulation& t) {
 
 inline std::vector<thalweg::Triangle> with_ids(std::span<const oracle::Tri> triangles) {
   std::vector<thalweg::Triangle> result;
-  for (const oracle::Tri& t : triangles) result.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
+  for (const oracle::Tri& t : triangles) result.push_back(tri(t[0], t[1], t[2]));
   return result;
 }
 

@@ -13,9 +13,10 @@ class Random : public thalweg::io::Random {
 
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(thalweg::io::Random::below(n)); }
   /// A whole number of [low, high].
-  double whole(int low, int high) {
-    return low + static_cast<double>(below(static_cast<std::uint32_t>(high - low + 1)));
+  int between(int low, int high) {
+    return low + static_cast<int>(below(static_cast<std::uint32_t>(high - low + 1)));
   }
+  double whole(int low, int high) { return between(low, high); }
 };
 
 }  // namespace support

@@ -13,13 +13,13 @@
 #include "oracle/exact_predicates.hpp"
 #include "support/cloud.hpp"
 #include "support/random_mesh.hpp"
+#include "support/special_values.hpp"
 
 namespace {
 
+using support::kInfinity;
 using thalweg::Point2;
 using thalweg::detail::CirclePlane;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Whether d is inside the circle through u, v, w, which are turned counter-clockwise first, in all three
 /// rotations; compared with the oracle.

@@ -14,6 +14,7 @@
 
 #include "oracle/exact_predicates.hpp"
 #include "support/cloud.hpp"
+#include "support/ids.hpp"
 #include "support/surface.hpp"
 #include "thalweg/delaunay.hpp"
 
@@ -21,10 +22,7 @@ namespace {
 
 using namespace thalweg;
 using support::Cloud;
-
-VertexId vertex(std::uint32_t i) {
-  return VertexId(i);
-}
+using support::vertex;
 
 Triangulation delaunay_of(const Cloud& cloud) {
   return delaunay(cloud.places()).value();

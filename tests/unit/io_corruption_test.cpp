@@ -9,6 +9,7 @@
 #include "io/grid.hpp"
 #include "io/mesh_file.hpp"
 #include "io/point_table.hpp"
+#include "io/random.hpp"
 #include "io/write_mesh.hpp"
 #include "support/allocation_watch.hpp"
 #include "support/io_support.hpp"
@@ -16,41 +17,33 @@
 namespace thalweg::io {
 namespace {
 
-struct Random {
-  std::uint64_t state = 1;
-  std::uint64_t operator()(std::uint64_t below) {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (state >> 33) % below;
-  }
-};
-
 std::string damaged(const std::string& good, Random& random) {
   static const std::string kNasty = "0123456789999-+.eE \n\r\t,;#\"\xff\x7f/nvf";
   std::string out = good;
-  for (std::uint64_t edits = 1 + random(6); edits > 0 && !out.empty(); --edits) {
-    const std::size_t at = random(out.size());
-    switch (random(6)) {
+  for (std::uint64_t edits = 1 + random.below(6); edits > 0 && !out.empty(); --edits) {
+    const std::size_t at = random.below(out.size());
+    switch (random.below(6)) {
       case 0:
-        out[at] = static_cast<char>(random(256));
+        out[at] = static_cast<char>(random.below(256));
         break;
       case 1:
-        out[at] = kNasty[random(kNasty.size())];
+        out[at] = kNasty[random.below(kNasty.size())];
         break;
       case 2:
-        out.insert(at, 1, kNasty[random(kNasty.size())]);
+        out.insert(at, 1, kNasty[random.below(kNasty.size())]);
         break;
       case 3:
-        out.erase(at, 1 + random(8));
+        out.erase(at, 1 + random.below(8));
         break;
       case 4:
-        out.insert(at, out.substr(random(out.size()), random(40)));
+        out.insert(at, out.substr(random.below(out.size()), random.below(40)));
         break;
       default:
-        out[at] = static_cast<char>(out[at] ^ 1 << random(8));
+        out[at] = static_cast<char>(out[at] ^ 1 << random.below(8));
         break;
     }
   }
-  if (random(4) == 0) out.resize(random(out.size() + 1));
+  if (random.below(4) == 0) out.resize(random.below(out.size() + 1));
   return out;
 }
 
@@ -94,7 +87,7 @@ void read_every_way(const std::string& path) {
 void damage_and_read(const std::string& name, const std::string& good) {
   const test::ScratchFolder folder;
   constexpr std::size_t kFixed = 300000;  // buffers of the reader and of the stream that writes the file
-  Random random;
+  Random random(1);
   for (int i = 0; i < 400; ++i) {
     const std::string content = i == 0 ? good : damaged(good, random);
     const std::string path = folder.put(name, content);

@@ -14,9 +14,12 @@
 
 #include "support/cloud.hpp"
 #include "support/random_mesh.hpp"
+#include "support/special_values.hpp"
 
 namespace {
 
+using support::kInfinity;
+using support::kNan;
 using thalweg::DuplicatePolicy;
 using thalweg::ErrorCode;
 using thalweg::Point2;
@@ -24,8 +27,6 @@ using thalweg::Point3;
 using thalweg::detail::merge_sites;
 using thalweg::detail::MergedSites;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMax = std::numeric_limits<double>::max();
 
 using Rows = std::vector<std::uint32_t>;

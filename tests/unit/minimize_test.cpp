@@ -14,12 +14,15 @@
 #include <vector>
 
 #include "support/cloud.hpp"
+#include "support/special_values.hpp"
 #include "support/surface.hpp"
 
 namespace {
 
 using support::crossroads;
 using support::dammed_valley;
+using support::kInfinity;
+using support::kNan;
 using thalweg::DuplicatePolicy;
 using thalweg::ErrorCode;
 using thalweg::Method;
@@ -34,8 +37,6 @@ using thalweg::TrailStep;
 using thalweg::VertexId;
 
 constexpr Method kMethods[] = {Method::delaunay, Method::flip, Method::hull, Method::best, Method::exact};
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Rows = std::vector<std::uint32_t>;
 

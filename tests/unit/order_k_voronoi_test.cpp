@@ -13,6 +13,7 @@
 #include "oracle/exact_predicates.hpp"
 #include "oracle/voronoi.hpp"
 #include "support/cloud.hpp"
+#include "support/random.hpp"
 #include "thalweg/circle_count.hpp"
 #include "thalweg/delaunay.hpp"
 #include "thalweg/predicates.hpp"
@@ -20,6 +21,7 @@
 
 namespace {
 
+using support::Random;
 using thalweg::CellId;
 using thalweg::ErrorCode;
 using thalweg::OrderKVoronoi;
@@ -34,30 +36,17 @@ OrderKVoronoi diagram_of(const std::vector<Point2>& points, unsigned k, unsigned
   return std::move(*result);
 }
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint32_t below(std::uint32_t n) {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<std::uint32_t>((state_ >> 33) % n);
-  }
-  double unit() { return (below(1u << 30) + 0.5) * 0x1p-30; }
-  /// An integer point of [0, n)^2.
-  Point2 point(std::uint32_t n) {
-    const double x = below(n);
-    return {x, static_cast<double>(below(n))};
-  }
+/// An integer point of [0, n)^2.
+Point2 random_point(Random& random, int n) {
+  return {random.whole(0, n - 1), random.whole(0, n - 1)};
+}
 
- private:
-  std::uint64_t state_;
-};
-
-std::vector<Point2> random_points(std::size_t count, std::uint32_t size, std::uint64_t seed) {
+std::vector<Point2> random_points(std::size_t count, int size, std::uint64_t seed) {
   Random random(seed);
   std::set<std::pair<double, double>> distinct;
   std::vector<Point2> points;
   while (points.size() < count) {
-    const Point2 p = random.point(size);
+    const Point2 p = random_point(random, size);
     if (distinct.emplace(p.x, p.y).second) points.push_back(p);
   }
   return points;
@@ -199,14 +188,14 @@ TEST(OrderKVoronoi, RefusesWhatIsNoDiagram) {
 }
 
 TEST(OrderKVoronoi, AnswersAHundredThousandQueriesAsAScanDoes) {
-  constexpr std::uint32_t kSize = 1 << 12;
+  constexpr int kSize = 1 << 12;
   const auto points = random_points(150, kSize, 11);
   const OrderKVoronoi diagram = diagram_of(points, 5);
   Random random(13);
   int wrong = 0;
   for (int i = 0; i < 100000; ++i) {
     const Point2 a = points[random.below(150)], b = points[random.below(150)];
-    Point2 q = random.point(kSize);
+    Point2 q = random_point(random, kSize);
     if (i % 4 == 1) q = {(a.x + b.x) / 2, (a.y + b.y) / 2};  // on an edge of some order
     if (i % 4 == 2) q = {(a.x + b.x) / 2 + (b.y - a.y), (a.y + b.y) / 2 - (b.x - a.x)};  // likewise
     if (i % 4 == 3) q = {(q.x - kSize / 2) * 2048, (q.y - kSize / 2) * 2048};            // far outside

@@ -13,10 +13,12 @@
 #include "kernel/wide_multiply.hpp"
 #include "oracle/exact_predicates.hpp"
 #include "support/cloud.hpp"
+#include "support/special_values.hpp"
 #include "thalweg/predicates.hpp"
 
 namespace {
 
+using support::kInfinity;
 using thalweg::compare_distance;
 using thalweg::incircle;
 using thalweg::orient2d;
@@ -26,7 +28,6 @@ using thalweg::detail::MaybeSign;
 
 constexpr double kMin = std::numeric_limits<double>::denorm_min();
 constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double up(double value) {
   return std::nextafter(value, kInfinity);

@@ -21,7 +21,7 @@ namespace {
 using namespace thalweg;
 using detail::ThinTriangle;
 
-std::vector<ThinTriangle> triangles_of(const Triangulation& mesh) {
+std::vector<ThinTriangle> all_triangles(const Triangulation& mesh) {
   std::vector<ThinTriangle> triangles;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle t = mesh.corners(FaceId(f));
@@ -34,7 +34,7 @@ RC_GTEST_PROP(ThinOut, CoversTheSameRegionWithFewerVertices, ()) {
   const support::Cloud cloud = *support::clouds(60);
   const std::vector<Point2> places = cloud.places();
   const Triangulation mesh = delaunay(places).value();
-  const std::vector<ThinTriangle> whole = triangles_of(mesh);
+  const std::vector<ThinTriangle> whole = all_triangles(mesh);
   std::vector<std::uint8_t> keep;
   for (std::uint32_t v = 0; v < cloud.size(); ++v)
     keep.push_back(*rc::gen::element<std::uint8_t>(0, 0, 0, 1));
@@ -72,7 +72,7 @@ TEST(ThinOut, ReachesWhatIsAskedFor) {
     for (int y = 0; y < 40; ++y) places.push_back({x + 0.1 * (y % 3), y + 0.1 * (x % 3)});
   }
   const std::vector<std::uint8_t> keep(places.size(), 0);
-  const auto whole = triangles_of(delaunay(places).value());
+  const auto whole = all_triangles(delaunay(places).value());
   const std::size_t left = detail::thin_out(places, whole, keep, 500).size();
   EXPECT_LE(left, 500u);
   EXPECT_GE(left, 499u);  // a vertex takes two triangles with it

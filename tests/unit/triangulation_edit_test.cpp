@@ -14,6 +14,7 @@
 
 namespace {
 
+using support::tri;
 using support::triangles_of;
 using support::vertex;
 using thalweg::FaceId;
@@ -21,10 +22,6 @@ using thalweg::HalfedgeId;
 using thalweg::Triangle;
 using thalweg::Triangulation;
 using thalweg::VertexId;
-
-Triangle tri(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  return {vertex(a), vertex(b), vertex(c)};
-}
 
 /// All but `outgoing` of inner vertices, which edits may turn to another half-edge.
 void expect_same_faces(const Triangulation& a, const Triangulation& b) {

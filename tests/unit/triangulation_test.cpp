@@ -5,19 +5,17 @@
 
 #include <vector>
 
+#include "support/ids.hpp"
 #include "thalweg/id.hpp"
 
 namespace {
 
+using support::tri;
 using thalweg::FaceId;
 using thalweg::HalfedgeId;
 using thalweg::Triangle;
 using thalweg::Triangulation;
 using thalweg::VertexId;
-
-Triangle tri(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  return {VertexId(a), VertexId(b), VertexId(c)};
-}
 
 std::optional<Triangulation> make(const std::vector<Triangle>& triangles, std::uint32_t vertices) {
   return Triangulation::from_triangles(triangles, vertices);
