@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "fuzz_input.hpp"
+#include "kernel/divide_and_conquer.hpp"
+#include "kernel/spatial_order.hpp"
 #include "thalweg/delaunay.hpp"
 #include "thalweg/predicates.hpp"
 
@@ -96,6 +98,21 @@ void check_hull(const Triangulation& mesh, const std::vector<Point2>& points) {
               points);
 }
 
+/// The sites built in pieces, and every merge in pieces that can be: the same arrays.
+void check_sharing(const std::vector<Point2>& points) {
+  const auto order = thalweg::detail::spatial_order(points, 1);
+  std::vector<Point2> sites;
+  for (std::uint32_t s = 0; s < order.site_count(); ++s) sites.push_back(points[order.first_row(s)]);
+  const auto whole = thalweg::detail::divide_and_conquer(sites, order.keys, {});
+  const auto shared = thalweg::detail::divide_and_conquer(sites, order.keys,
+                                                          {.threads = 2, .least_piece = 6, .least_edges = 1});
+  for (std::size_t i = 0; i < whole.origin.size(); ++i) {
+    if (i % 4 == 3) continue;  // of no meaning
+    fuzz::check(whole.origin[i] == shared.origin[i] && whole.twin[i] == shared.twin[i],
+                "the arrays do not depend on how the work is shared", points);
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -114,5 +131,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto again = thalweg::delaunay(reversed);
   fuzz::check(again && triangles_of(*again, reversed) == triangles_of(*mesh, points),
               "the triangles do not depend on the order of the rows", points);
+  if (points.size() % 4 == 0) check_sharing(points);  // threads are slow to start
   return 0;
 }

@@ -33,7 +33,7 @@ Result<GhostedTriangulation> triangulate(std::span<const Point2> sites, std::spa
                                                  " points can be triangulated, not " +
                                                  std::to_string(sites.size())};
   }
-  return divide_and_conquer(sites, keys, resolve_threads(threads));
+  return divide_and_conquer(sites, keys, {.threads = resolve_threads(threads)});
 }
 
 /// The rows of points with a coordinate that is not finite. (x * 0 is 0 for finite x and NaN for others;

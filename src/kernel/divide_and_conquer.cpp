@@ -9,6 +9,7 @@
 #include "kernel/assert.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/part_builder.hpp"
+#include "kernel/seam_split.hpp"
 
 namespace thalweg::detail {
 namespace {
@@ -20,16 +21,15 @@ using Index = std::uint32_t;
 /// become.
 class SharedBuild {
  public:
-  /// Cuts pieces of at most `most` sites, if more are not in one cell.
-  SharedBuild(const PartArrays& arrays, std::span<const Index> keys, Index most)
-      : arrays_(arrays), keys_(keys), most_(most) {
-    divide(0, static_cast<Index>(keys.size()), {});
+  SharedBuild(const PartArrays& arrays, std::span<const Index> keys, const Sharing& sharing)
+      : arrays_(arrays), keys_(keys), sharing_(sharing) {
+    divide(0, static_cast<Index>(keys.size()), {}, sharing.threads);
     arrivals_ = std::vector<std::atomic<unsigned>>(joints_.size());
   }
 
   /// Makes one part of all.
-  void run(unsigned threads) {
-    parallel_chunks(pieces_.size(), 1, threads, [this] {
+  void run() {
+    parallel_chunks(pieces_.size(), 1, sharing_.threads, [this] {
       return [this](std::size_t begin, std::size_t end) {
         for (const Piece& piece : std::span(pieces_).subspan(begin, end - begin))
           bring(build_part(arrays_, piece.lo, piece.hi, &keys_[piece.lo]), piece.goal);
@@ -51,23 +51,24 @@ class SharedBuild {
   };
   struct Joint {
     Axis axis;
-    Index slot;
+    TwoParts sites;
     Goal goal;
+    unsigned threads;  ///< that have nothing else to do, if all pieces are alike
     std::array<Part, 2> parts;
   };
 
-  /// Cuts sites [lo, hi), which make a part that goes to `goal`.
-  void divide(Index lo, Index hi, Goal goal) {
+  /// Cuts sites [lo, hi), which make a part that goes to `goal`, for so many threads.
+  void divide(Index lo, Index hi, Goal goal, unsigned threads) {
     const auto keys = keys_.subspan(lo, hi - lo);
-    if (keys.size() <= most_ || keys.front() == keys.back()) {
+    if (keys.size() <= most_sites() || keys.front() == keys.back()) {
       pieces_.push_back({lo, hi, goal});
       return;
     }
     const Cut cut = cut_of(keys);
     const std::size_t joint = joints_.size();
-    joints_.push_back({cut.axis, slot_at(lo + cut.low), goal, {}});
-    divide(lo, lo + cut.low, {joint, 0});
-    divide(lo + cut.low, hi, {joint, 1});
+    joints_.push_back({cut.axis, {lo, lo + cut.low, hi}, goal, threads, {}});
+    divide(lo, lo + cut.low, {joint, 0}, threads / 2);
+    divide(lo + cut.low, hi, {joint, 1}, threads / 2);
   }
 
   /// Brings a part where it goes, and with it whatever it completes.
@@ -76,35 +77,44 @@ class SharedBuild {
       Joint& joint = joints_[goal.joint];
       joint.parts[goal.side] = part;
       if (arrivals_[goal.joint].fetch_add(1) == 0) return;  // the other part's thread goes on
-      part = merge_parts(arrays_, joint.parts[0], joint.parts[1], joint.axis, joint.slot);
+      part = merged(joint);
     }
+  }
+
+  /// Of sites in a piece, if more are not in one cell: some pieces a thread, so that none waits long for the
+  /// last; all for a single thread.
+  std::size_t most_sites() const noexcept {
+    constexpr std::size_t kPiecesOfThread = 8;
+    if (sharing_.threads == 1) return keys_.size();
+    return std::max<std::size_t>(sharing_.least_piece, keys_.size() / kPiecesOfThread / sharing_.threads);
+  }
+
+  Part merged(const Joint& joint) const {
+    const auto& [left, right] = joint.parts;
+    const Index slot = slot_at(joint.sites.mid);
+    SeamSplit split(arrays_, joint.sites, joint.threads, sharing_.least_edges);
+    return merge_parts(arrays_, left, right, joint.axis, slot, joint.threads > 1 ? &split : nullptr);
   }
 
   PartArrays arrays_;
   std::span<const Index> keys_;
-  Index most_;
+  Sharing sharing_;
   std::vector<Piece> pieces_;
   std::vector<Joint> joints_;
   std::vector<std::atomic<unsigned>> arrivals_;
 };
 
-/// Sites of a piece: some pieces a thread, so that none waits long for the last; all for a single thread.
-Index sites_of_piece(Index count, unsigned threads) noexcept {
-  constexpr Index kLeast = 1u << 13, kPiecesOfThread = 8;
-  return threads == 1 ? count : std::max(kLeast, count / kPiecesOfThread / threads);
-}
-
 }  // namespace
 
 GhostedTriangulation divide_and_conquer(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
-                                        unsigned threads) {
+                                        const Sharing& sharing) {
   THALWEG_ASSERT(sites.size() >= 2 && sites.size() <= kMaxSites && keys.size() == sites.size());
   const auto count = static_cast<Index>(sites.size());
   GhostedTriangulation mesh;
   mesh.origin = Array<Index>(std::size_t{8} * (count - 1));
   mesh.twin = Array<Index>(std::size_t{8} * (count - 1));
   const PartArrays arrays{sites.data(), mesh.origin.data(), mesh.twin.data()};
-  SharedBuild(arrays, keys, sites_of_piece(count, threads)).run(threads);
+  SharedBuild(arrays, keys, sharing).run();
   return mesh;
 }
 

@@ -6,6 +6,7 @@
 /// incircle_canonical.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -17,11 +18,19 @@ namespace thalweg::detail {
 /// Half-edge numbers are four bytes and a site takes eight of them.
 inline constexpr std::uint32_t kMaxSites = 0x1fffffffu;
 
+/// How the work is shared. By default so that small sets are not cut in pieces, nor merges that are soon
+/// done.
+struct Sharing {
+  unsigned threads = 1;
+  std::uint32_t least_piece = 1u << 13;  ///< sites of a piece, at least; 6 or more
+  std::size_t least_edges = 8;           ///< so many of edges_across make a merge worth a SeamSplit
+};
+
 /// The canonical Delaunay triangulation of the sites.
-/// Laws: the arrays depend on the sites alone, not on `threads`.
+/// Laws: the arrays depend on the sites alone, not on `sharing`.
 /// Requires: at least 2 and at most kMaxSites distinct sites in spatial order, with their keys.
 /// Complexity: O(n log n); 64 bytes a site.
 GhostedTriangulation divide_and_conquer(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
-                                        unsigned threads);
+                                        const Sharing& sharing);
 
 }  // namespace thalweg::detail

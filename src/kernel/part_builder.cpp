@@ -1,4 +1,5 @@
-/// The cuts, the base cases, and the merge along the seam.
+/// The cuts, the base cases, and the merge along the seam; and what seam.hpp has, since a rise that is not
+/// part of the merge costs 6 % of all time.
 #include "kernel/part_builder.hpp"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <vector>
 
 #include "kernel/predicates_inline.hpp"
+#include "kernel/seam.hpp"
+#include "kernel/seam_split.hpp"
 #include "kernel/spatial_order.hpp"
 
 namespace thalweg::detail {
@@ -38,15 +41,186 @@ double cross(const Leg& a, const Leg& b) noexcept {
   return a.x * b.y - a.y * b.x;
 }
 
-class Builder {
+/// Removes the edge from a to a_next. The triangle behind it and the ghost on it become the ghosts of the two
+/// edges that come to light:
+///
+///      a_next                 a_next
+///      /   | \                /    \                  .
+///    a''   |  ghost   =>    a''     ghost             .
+///      \   | /                \    /                  .
+///        a                      a
+///
+/// Returns the half-edge a'' -> a, the next `left`.
+inline Index drop_left(const PartArrays& mesh, Index left) noexcept {
+  const Index to_next = mesh.twin(left);  // a -> a_next -> a'' -> a
+  const Index to_second = next_of(to_next), back = prev_of(to_next);
+  const Index outer = mesh.twin(to_second);
+  mesh.origins[next_of(left)] = mesh.origin(back);
+  mesh.origins[to_second] = kGhost;
+  mesh.link(left, outer);
+  mesh.link(next_of(left), to_second);
+  return back;
+}
+
+/// The mirror image of drop_left.
+inline Index drop_right(const PartArrays& mesh, Index right) noexcept {
+  const Index from_next = mesh.twin(right);  // b_next -> b -> b'' -> b_next
+  const Index to_second = next_of(from_next), back = prev_of(from_next);
+  const Index outer = mesh.twin(back);
+  mesh.origins[right] = mesh.origin(back);
+  mesh.origins[from_next] = kGhost;
+  mesh.link(prev_of(right), back);
+  mesh.link(right, outer);
+  return to_second;
+}
+
+/// Where a rise ends: nowhere before the tangent, or where these would be the sides.
+struct NoLast {
+  static constexpr bool is_left(Index) noexcept { return false; }
+  static constexpr bool is_right(Index) noexcept { return false; }
+};
+struct LastSides {
+  Index left, right;
+
+  bool is_left(Index h) const noexcept { return h == left; }
+  bool is_right(Index h) const noexcept { return h == right; }
+};
+
+/// The merge along the seam: candidates by orientation, edges thinned out by circles.
+template <class Last>
+class Riser : Seam {
  public:
-  explicit Builder(const PartArrays& arrays) noexcept
-      : sites_(arrays.sites), origin_(arrays.origin), twin_(arrays.twin) {}
+  Riser(const PartArrays& arrays, const Seam& seam, Last last) noexcept
+      : Seam(seam), mesh_(arrays), last_(last) {}
+
+  Seam run() noexcept;
+
+ private:
+  Point2 at(Index v) const noexcept { return mesh_.at(v); }
+  Index a_next() const noexcept { return mesh_.origin(left); }
+  Index b_next() const noexcept { return mesh_.dest(right); }
+
+  /// Whether v is strictly above the base.
+  bool above(const Leg& to_b, const Leg& to_v, double turn, Index v) const noexcept {
+    if (std::fabs(turn) >
+        kOrient2dBound * (std::fabs(to_b.x * to_v.y) + std::fabs(to_b.y * to_v.x)) + kUnderflowMargin) {
+      return turn > 0;
+    }
+    return orient2d_unfiltered(at(a), at(b), at(v)) > 0;
+  }
+
+  /// Whether v is inside the circle of a, b, c.
+  bool inside(const Leg& to_b, const Leg& to_c, double turn, const Leg& to_v, Index c,
+              Index v) const noexcept {
+    const double det = to_b.square * cross(to_c, to_v) + to_c.square * cross(to_v, to_b) + to_v.square * turn;
+    const double size = to_b.square + to_c.square + to_v.square;
+    if (std::fabs(det) > kIncircleBound * (size * size) + kUnderflowMargin) return det < 0;
+    return incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
+  }
+
+  template <class Next, class Drop>
+  void thin_out(const Leg& to_b, Leg& to_next, double& turn, const Index& side, Next next,
+                Drop drop) const noexcept;
+  void go_left(Index to) noexcept { left = last_.is_left(to) ? kGhost : to; }
+  void go_right(Index to) noexcept { right = last_.is_right(to) ? kGhost : to; }
+  void take_left() noexcept;
+  void take_right() noexcept;
+
+  PartArrays mesh_;
+  Last last_;
+};
+
+/// The ghost on a, a_next becomes the triangle a, b, a_next, and b, a_next the base.
+template <class Last>
+void Riser<Last>::take_left() noexcept {
+  const Index up = prev_of(left);
+  const Index beyond = mesh_.twin(up);
+  mesh_.origins[up] = b;
+  mesh_.link(next_of(left), below);
+  a = mesh_.origin(left);
+  below = up;
+  go_left(prev_of(beyond));
+}
+
+/// The ghost on b, b_next becomes the triangle a, b, b_next, and a, b_next the base.
+template <class Last>
+void Riser<Last>::take_right() noexcept {
+  const Index up = next_of(right);
+  const Index down = prev_of(right);
+  const Index beyond = mesh_.twin(up);
+  mesh_.origins[down] = a;
+  mesh_.link(down, below);
+  b = mesh_.origin(up);
+  below = up;
+  go_right(next_of(beyond));
+}
+
+/// Drops the edges of one side for as long as what is behind the next site, `next`, is inside the circle of
+/// the base and `next`. `to_next` is that site seen from a, `turn` where it is as seen from the base; both go
+/// along.
+template <class Last>
+template <class Next, class Drop>
+void Riser<Last>::thin_out(const Leg& to_b, Leg& to_next, double& turn, const Index& side, Next next,
+                           Drop drop) const noexcept {
+  for (;;) {
+    const Index v = mesh_.apex(mesh_.twin(side));
+    if (v == kGhost) return;
+    const Leg to_v(at(a), at(v));
+    if (!inside(to_b, to_next, turn, to_v, next(), v)) return;
+    drop();
+    to_next = to_v;
+    turn = cross(to_b, to_next);
+  }
+}
+
+/// Everything is measured from a: `to_b` and so on are differences of coordinates, and their products serve
+/// several tests, and the next base too if it also begins at a.
+template <class Last>
+Seam Riser<Last>::run() noexcept {
+  go_left(left);
+  go_right(right);
+  Leg to_b(at(a), at(b));
+  Leg to_c = left != kGhost ? Leg(at(a), at(a_next())) : to_b;
+  for (;;) {
+    bool left_open = false, right_open = false;
+    double turn_c = 0, turn_d = 0;
+    if (left != kGhost) {
+      turn_c = cross(to_b, to_c);
+      left_open = above(to_b, to_c, turn_c, a_next());
+    }
+    if (left_open)
+      thin_out(
+          to_b, to_c, turn_c, left, [this] { return a_next(); }, [this] { left = drop_left(mesh_, left); });
+    Leg to_d = to_b;
+    if (right != kGhost) {
+      to_d = Leg(at(a), at(b_next()));
+      turn_d = cross(to_b, to_d);
+      right_open = above(to_b, to_d, turn_d, b_next());
+    }
+    if (right_open)
+      thin_out(
+          to_b, to_d, turn_d, right, [this] { return b_next(); },
+          [this] { right = drop_right(mesh_, right); });
+    if (!left_open && !right_open) return *this;
+    if (!left_open || (right_open && inside(to_b, to_c, turn_c, to_d, a_next(), b_next()))) {
+      take_right();
+      to_b = to_d;
+    } else {
+      take_left();
+      to_b = Leg(at(a), at(b));
+      if (left != kGhost) to_c = Leg(at(a), at(a_next()));
+    }
+  }
+}
+
+class Builder : PartArrays {
+ public:
+  explicit Builder(const PartArrays& arrays) noexcept : PartArrays(arrays) {}
 
   /// build_part, at some level of keys: those of all sites have level 0, those of a crowded cell one more.
   Part build(Index lo, Index hi, const Index* keys, int level) const;
   /// merge_parts.
-  Part merge(const Part& left, const Part& right, Axis axis, Index slot) const;
+  Part merge(const Part& left, const Part& right, Axis axis, Index slot, SeamSplit* split = nullptr) const;
 
  private:
   Part build_crowded(Index lo, Index hi, int level) const;
@@ -62,32 +236,6 @@ class Builder {
     Index site, ghost;
   };
   std::array<Extreme, 4> outermost_sites(const Part& left, const Part& right, Axis axis) const noexcept;
-
-  Point2 at(Index v) const noexcept { return sites_[v]; }
-
-  Index origin(Index h) const noexcept { return origin_[h]; }
-  Index dest(Index h) const noexcept { return origin_[next_of(h)]; }
-  Index apex(Index h) const noexcept { return origin_[prev_of(h)]; }
-  void link(Index h, Index g) const noexcept {
-    twin_[h] = g;
-    twin_[g] = h;
-  }
-  void set_corners(Index slot, Index a, Index b, Index c) const noexcept {
-    origin_[4 * slot] = a;
-    origin_[4 * slot + 1] = b;
-    origin_[4 * slot + 2] = c;
-  }
-
-  /// For the ghost half-edge of a hull edge: that of the edge after it, or before it, counter-clockwise along
-  /// the hull.
-  Index hull_next(Index h) const noexcept { return prev_of(twin_[prev_of(h)]); }
-  Index hull_prev(Index h) const noexcept { return next_of(twin_[next_of(h)]); }
-
-  struct Seam;
-
-  const Point2* sites_;
-  Index* origin_;
-  Index* twin_;
 };
 
 /// The extremes among the destinations of these ghost half-edges.
@@ -114,7 +262,7 @@ Part Builder::build(Index lo, Index hi, const Index* keys, int level) const {
 Part Builder::build_crowded(Index lo, Index hi, int level) const {
   if (hi - lo <= kCellSites || level + 1 == kKeyLevels) return build_lexicographic(lo, hi);
   std::vector<Index> keys(hi - lo);
-  morton_keys(std::span(sites_ + lo, hi - lo), keys);
+  morton_keys(std::span(sites + lo, hi - lo), keys);
   return build(lo, hi, keys.data(), level + 1);
 }
 
@@ -178,162 +326,6 @@ Part Builder::triple(Index p, Index q, Index r, Index slot) const {
   return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
 }
 
-/// The growing front between two parts. Its last edge, the base, runs from a on the left to b on the right,
-/// and everything below it is final.
-///
-///          ghost                       a_next = origin(left), the next site up the hull of the left part
-///     a_next    b_next                 left   = half-edge a_next -> a of a ghost
-///        \ left  right /               right  = half-edge b -> b_next of a ghost
-///         a -- base - b                below  = half-edge b -> a of the triangle below the base
-///
-/// The edges from a and from b to the ghost vertex have no twin in the arrays while the front is here.
-struct Builder::Seam {
-  const Builder& mesh;
-  Index a, b;
-  Index left, right;
-  Index below;
-
-  Point2 at(Index v) const noexcept { return mesh.at(v); }
-  Index a_next() const noexcept { return mesh.origin(left); }
-  Index b_next() const noexcept { return mesh.dest(right); }
-
-  /// Whether v is strictly above the base.
-  bool above(const Leg& to_b, const Leg& to_v, double turn, Index v) const noexcept {
-    if (std::fabs(turn) >
-        kOrient2dBound * (std::fabs(to_b.x * to_v.y) + std::fabs(to_b.y * to_v.x)) + kUnderflowMargin) {
-      return turn > 0;
-    }
-    return orient2d_unfiltered(at(a), at(b), at(v)) > 0;
-  }
-
-  /// Whether v is inside the circle of a, b, c.
-  bool inside(const Leg& to_b, const Leg& to_c, double turn, const Leg& to_v, Index c,
-              Index v) const noexcept {
-    const double det = to_b.square * cross(to_c, to_v) + to_c.square * cross(to_v, to_b) + to_v.square * turn;
-    const double size = to_b.square + to_c.square + to_v.square;
-    if (std::fabs(det) > kIncircleBound * (size * size) + kUnderflowMargin) return det < 0;
-    return incircle_canonical(at(a), at(b), at(c), at(v)) > 0;
-  }
-
-  template <class Next, class Drop>
-  void thin_out(const Leg& to_b, Leg& to_next, double& turn, const Index& side, Next next,
-                Drop drop) const noexcept;
-  void drop_left() noexcept;
-  void drop_right() noexcept;
-  void take_left() noexcept;
-  void take_right() noexcept;
-  void rise() noexcept;
-};
-
-/// Removes the edge from a to a_next. The triangle behind it and the ghost on it become the ghosts of the two
-/// edges that come to light:
-///
-///      a_next                 a_next
-///      /   | \                /    \                  .
-///    a''   |  ghost   =>    a''     ghost             .
-///      \   | /                \    /                  .
-///        a                      a
-void Builder::Seam::drop_left() noexcept {
-  const Index to_next = mesh.twin_[left];  // a -> a_next -> a'' -> a
-  const Index to_second = next_of(to_next), back = prev_of(to_next);
-  const Index outer = mesh.twin_[to_second];
-  mesh.origin_[next_of(left)] = mesh.origin(back);
-  mesh.origin_[to_second] = kGhost;
-  mesh.link(left, outer);
-  mesh.link(next_of(left), to_second);
-  left = back;
-}
-
-/// The mirror image of drop_left.
-void Builder::Seam::drop_right() noexcept {
-  const Index from_next = mesh.twin_[right];  // b_next -> b -> b'' -> b_next
-  const Index to_second = next_of(from_next), back = prev_of(from_next);
-  const Index outer = mesh.twin_[back];
-  mesh.origin_[right] = mesh.origin(back);
-  mesh.origin_[from_next] = kGhost;
-  mesh.link(prev_of(right), back);
-  mesh.link(right, outer);
-  right = to_second;
-}
-
-/// The ghost on a, a_next becomes the triangle a, b, a_next, and b, a_next the base.
-void Builder::Seam::take_left() noexcept {
-  const Index up = prev_of(left);
-  const Index beyond = mesh.twin_[up];
-  mesh.origin_[up] = b;
-  mesh.link(next_of(left), below);
-  a = mesh.origin(left);
-  below = up;
-  left = prev_of(beyond);
-}
-
-/// The ghost on b, b_next becomes the triangle a, b, b_next, and a, b_next the base.
-void Builder::Seam::take_right() noexcept {
-  const Index up = next_of(right);
-  const Index down = prev_of(right);
-  const Index beyond = mesh.twin_[up];
-  mesh.origin_[down] = a;
-  mesh.link(down, below);
-  b = mesh.origin(up);
-  below = up;
-  right = next_of(beyond);
-}
-
-/// Drops the edges of one side for as long as what is behind the next site, `next`, is inside the circle of
-/// the base and `next`. `to_next` is that site seen from a, `turn` where it is as seen from the base; both go
-/// along.
-template <class Next, class Drop>
-void Builder::Seam::thin_out(const Leg& to_b, Leg& to_next, double& turn, const Index& side, Next next,
-                             Drop drop) const noexcept {
-  for (;;) {
-    const Index v = mesh.apex(mesh.twin_[side]);
-    if (v == kGhost) return;
-    const Leg to_v(at(a), at(v));
-    if (!inside(to_b, to_next, turn, to_v, next(), v)) return;
-    drop();
-    to_next = to_v;
-    turn = cross(to_b, to_next);
-  }
-}
-
-/// Raises the base to the upper common tangent.
-///
-/// Everything is measured from a: `to_b` and so on are differences of coordinates, and their products serve
-/// several tests, and the next base too if it also begins at a.
-void Builder::Seam::rise() noexcept {
-  Leg to_b(at(a), at(b));
-  Leg to_c = left != kGhost ? Leg(at(a), at(a_next())) : to_b;
-  for (;;) {
-    bool left_open = false, right_open = false;
-    double turn_c = 0, turn_d = 0;
-    if (left != kGhost) {
-      turn_c = cross(to_b, to_c);
-      left_open = above(to_b, to_c, turn_c, a_next());
-    }
-    if (left_open)
-      thin_out(
-          to_b, to_c, turn_c, left, [this] { return a_next(); }, [this] { drop_left(); });
-    Leg to_d = to_b;
-    if (right != kGhost) {
-      to_d = Leg(at(a), at(b_next()));
-      turn_d = cross(to_b, to_d);
-      right_open = above(to_b, to_d, turn_d, b_next());
-    }
-    if (right_open)
-      thin_out(
-          to_b, to_d, turn_d, right, [this] { return b_next(); }, [this] { drop_right(); });
-    if (!left_open && !right_open) return;
-    if (!left_open || (right_open && inside(to_b, to_c, turn_c, to_d, a_next(), b_next()))) {
-      take_right();
-      to_b = to_d;
-    } else {
-      take_left();
-      to_b = Leg(at(a), at(b));
-      if (left != kGhost) to_c = Leg(at(a), at(a_next()));
-    }
-  }
-}
-
 /// The least and the greatest site of two parts along x, then along y, while the parts are still apart; the
 /// left one precedes the right one along the axis.
 std::array<Builder::Extreme, 4> Builder::outermost_sites(const Part& left, const Part& right,
@@ -358,7 +350,7 @@ std::array<Builder::Extreme, 4> Builder::outermost_sites(const Part& left, const
   return result;
 }
 
-Part Builder::merge(const Part& left, const Part& right, Axis axis, Index slot) const {
+Part Builder::merge(const Part& left, const Part& right, Axis axis, Index slot, SeamSplit* split) const {
   const bool left_single = left.is_single(), right_single = right.is_single();
   // The lower common tangent, from the two extremes that face each other: `in` enters a, `out` leaves b.
   Index in = left_single ? kGhost : hull_prev(left.along(axis).high);
@@ -380,17 +372,18 @@ Part Builder::merge(const Part& left, const Part& right, Axis axis, Index slot) 
   }
   const Index bottom = 4 * slot, top = bottom + 4;
   const std::array<Extreme, 4> outermost = outermost_sites(left, right, axis);
+  if (split != nullptr) split->open();
 
   const Index first_left = left_single ? kGhost : hull_next(in);
   const Index first_right = right_single ? kGhost : hull_prev(out);
-  Seam seam{*this, a, b, first_left, first_right, bottom};
+  Seam seam{a, b, first_left, first_right, bottom};
   set_corners(slot, b, a, kGhost);  // b -> a -> ghost
   const Index a_out = left_single ? top + 2 : prev_of(in);
   const Index b_in = right_single ? top + 1 : next_of(out);
   link(bottom + 1, a_out);
   link(bottom + 2, b_in);
 
-  seam.rise();
+  seam = split == nullptr ? Riser(*this, seam, NoLast()).run() : split->rise(seam);
 
   set_corners(slot + 1, seam.a, seam.b, kGhost);  // a -> b -> ghost
   link(top, seam.below);
@@ -416,8 +409,23 @@ Part build_part(const PartArrays& arrays, Index lo, Index hi, const Index* keys)
   return Builder(arrays).build(lo, hi, keys, 0);
 }
 
-Part merge_parts(const PartArrays& arrays, const Part& left, const Part& right, Axis axis, Index slot) {
-  return Builder(arrays).merge(left, right, axis, slot);
+Part merge_parts(const PartArrays& arrays, const Part& left, const Part& right, Axis axis, Index slot,
+                 SeamSplit* split) {
+  return Builder(arrays).merge(left, right, axis, slot, split);
+}
+
+Seam risen_to(const PartArrays& mesh, const Seam& seam, Index last_left, Index last_right) noexcept {
+  return Riser(mesh, seam, LastSides{last_left, last_right}).run();
+}
+
+void open_left(const PartArrays& mesh, Index left) noexcept {
+  const Index lower = mesh.twin(next_of(left));
+  mesh.link(next_of(drop_left(mesh, left)), lower);
+}
+
+void open_right(const PartArrays& mesh, Index right) noexcept {
+  const Index lower = mesh.twin(prev_of(right));
+  mesh.link(prev_of(drop_right(mesh, right)), lower);
 }
 
 }  // namespace thalweg::detail

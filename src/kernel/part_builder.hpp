@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "kernel/ghosted_triangulation.hpp"
-#include "thalweg/point.hpp"
+#include "kernel/part_arrays.hpp"
 
 namespace thalweg::detail {
 
@@ -13,6 +12,8 @@ namespace thalweg::detail {
 /// left one after a turn of the plane by a quarter clockwise: (x, y) becomes (y, -x). Turning keeps
 /// orientation, so one merge serves both.
 enum class Axis { x, y };
+
+class SeamSplit;
 
 /// The outermost sites of a part along an axis, ties decided from bottom to top along x and from right to
 /// left along y: for the least and the greatest the ghost half-edge of the hull edge that leaves it
@@ -45,21 +46,14 @@ struct Cut {
 /// The cut at the first bit in which keys in ascending order differ. Requires: some do. Complexity: O(log n).
 Cut cut_of(std::span<const std::uint32_t> keys) noexcept;
 
-/// The sites, and the arrays of GhostedTriangulation that their parts are in: sites [lo, hi) in slots [2 lo,
-/// 2 hi - 2).
-struct PartArrays {
-  const Point2* sites;
-  std::uint32_t* origin;
-  std::uint32_t* twin;
-};
-
 /// Triangulates sites [lo, hi), whose keys begin at keys[0]. Calls for different parts can run at the same
 /// time. Complexity: O(m log m) for m sites.
 Part build_part(const PartArrays& arrays, std::uint32_t lo, std::uint32_t hi, const std::uint32_t* keys);
 
 /// Joins two parts of which the left precedes the right along the axis. Fills slots `slot` and `slot + 1`.
-/// Complexity: linear in the triangles that go or come.
-Part merge_parts(const PartArrays& arrays, const Part& left, const Part& right, Axis axis,
-                 std::uint32_t slot);
+/// With a split of the seam between the two, that is used. Complexity: linear in the triangles that go or
+/// come.
+Part merge_parts(const PartArrays& arrays, const Part& left, const Part& right, Axis axis, std::uint32_t slot,
+                 SeamSplit* split = nullptr);
 
 }  // namespace thalweg::detail

@@ -49,6 +49,12 @@ class Packing {
   static Index first_slot(std::size_t block) noexcept { return static_cast<Index>(block * kBlockSlots); }
   Index first_face(std::size_t block) const noexcept { return first_slot(block) - blocks_[block].shift / 3; }
 
+  /// Which part of the blocks, of those that parallel_parts makes, has a site.
+  std::size_t part_of(Index site) const noexcept {
+    const std::size_t block = std::min<std::size_t>(site / kBlockSites, blocks_.size() - 1);
+    return ((block + 1) * parts_ - 1) / blocks_.size();
+  }
+
   /// Calls task(block) for every block.
   template <class Task>
   void each_block(Task&& task) {
@@ -152,16 +158,18 @@ Array<Index> Packing::packed(const Array<Index>& slots, Convert&& convert) {
 }
 
 /// For every site the half-edge along the hull that leaves it, or else the first of all that do. Each part of
-/// the faces has a part of the sites for itself: those that lie where its triangles do. What it finds for
-/// others comes later, and then the hull, of which one half-edge leaves a site.
+/// the faces has a part of the sites for itself: those that lie where its triangles do. What the parts find
+/// for one another comes later, and then the hull, of which one half-edge leaves a site.
 Array<Index> Packing::outgoing_of(const Array<Index>& origin) {
   const std::size_t site_count = slot_count_ / 2 + 1;
   Array<Index> outgoing(site_count);
-  std::vector<std::vector<Index>> strays(parts_);
+  using Strays = std::vector<std::vector<Index>>;
+  std::vector<Strays> strays(parts_);  // of each part those for each
   parallel_parts(blocks_.size(), parts_, [&](std::size_t part, std::size_t begin, std::size_t end) {
     const std::size_t low = begin * kBlockSites;
     const std::size_t high = end == blocks_.size() ? site_count : end * kBlockSites;
     std::fill(&outgoing[low], &outgoing[low] + (high - low), kNone);
+    Strays for_others(parts_);  // its own, or threads would write to the same lines of memory
     const Index first = 3 * first_face(begin),
                 last = 3 * (end == blocks_.size() ? face_count_ : first_face(end));
     for (Index h = last; h-- > first;) {
@@ -169,13 +177,16 @@ Array<Index> Packing::outgoing_of(const Array<Index>& origin) {
       if (v - low < high - low) {
         outgoing[v] = h;
       } else {
-        strays[part].push_back(h);
+        for_others[part_of(v)].push_back(h);
       }
     }
+    strays[part] = std::move(for_others);
   });
-  for (const auto& of_part : strays) {
-    for (const Index h : of_part) outgoing[origin[h]] = std::min(outgoing[origin[h]], h);
-  }
+  parallel_parts(parts_, parts_, [&](std::size_t to, std::size_t, std::size_t) {
+    for (const Strays& of_part : strays) {
+      for (const Index h : of_part[to]) outgoing[origin[h]] = std::min(outgoing[origin[h]], h);
+    }
+  });
   each_block([&](std::size_t b) {
     for (const Index h : hull_[b]) outgoing[origin[h]] = h;
   });

@@ -229,7 +229,8 @@ TEST(Delaunay, FullGridInAnyOrderOfRows) {
 }
 
 TEST(Delaunay, SameArraysForAnyNumberOfThreads) {
-  for (const Kind kind : {Kind::uniform, Kind::wide_grid, Kind::ring, Kind::clusters, Kind::utm}) {
+  for (const Kind kind :
+       {Kind::uniform, Kind::wide_grid, Kind::ring, Kind::parabola, Kind::clusters, Kind::utm}) {
     const auto points = support::point_set(kind, 100000, 17);
     const auto t = delaunay(points);
     ASSERT_TRUE(t);
