@@ -46,12 +46,12 @@ Index SeamSplit::facing(Index site, Index target) const noexcept {
 }
 
 /// Removes the triangles of a site's part between the site and a target in the other part, from the hull
-/// inwards.
-void SeamSplit::open_way(Index site, Index target) const {
+/// inwards. `exits` is for the edges on the way.
+void SeamSplit::open_way(Index site, Index target, std::vector<Index>& exits) const {
   const Index enters = facing(site, target);
   if (enters == kGhost || mesh_.dest(enters) == kGhost) return;
   const Point2 p = mesh_.at(site), q = mesh_.at(target);
-  std::vector<Index> exits;
+  exits.clear();
   for (Index exit = next_of(enters);;) {
     exits.push_back(exit);
     const Index entry = mesh_.twin(exit), v = mesh_.apex(entry);
@@ -71,8 +71,11 @@ void SeamSplit::open() {
   const std::vector<EdgeAcross> edges = edges_across(mesh_, parts_);
   if (edges.size() < least_edges_) return;
   parallel_chunks(2, 1, threads_, [&] {
-    return [&](std::size_t part, std::size_t) {
-      for (const EdgeAcross& e : edges) part == 0 ? open_way(e.left, e.right) : open_way(e.right, e.left);
+    return [&, exits = std::vector<Index>()](std::size_t part, std::size_t) mutable {
+      // From the top down, since parts often fan out from the lower tangent; the other order takes longer
+      // there.
+      for (auto e = edges.rbegin(); e != edges.rend(); ++e)
+        part == 0 ? open_way(e->left, e->right, exits) : open_way(e->right, e->left, exits);
     };
   });
   for (const EdgeAcross& e : edges) {

@@ -35,7 +35,7 @@ class SeamSplit {
 
  private:
   std::uint32_t facing(std::uint32_t site, std::uint32_t target) const noexcept;
-  void open_way(std::uint32_t site, std::uint32_t target) const;
+  void open_way(std::uint32_t site, std::uint32_t target, std::vector<std::uint32_t>& exits) const;
 
   PartArrays mesh_;
   TwoParts parts_;
