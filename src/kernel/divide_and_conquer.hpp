@@ -2,8 +2,8 @@
 ///
 /// Source: Lee and Schachter 1980; Guibas and Stolfi 1985 (the merge); Dwyer 1987 (alternating cuts);
 /// Shewchuk 1996 (triangles instead of quad-edges, and ghosts). Departures: the cuts are bits of Morton keys;
-/// the merge changes triangles in place, so that nothing is ever allocated or freed; ties are decided by
-/// incircle_canonical.
+/// the merge changes triangles in place, so that none is ever allocated or freed; long merges are begun at
+/// several edges at once (SeamSplit); ties are decided by incircle_canonical.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kMaxSites = 0x1fffffffu;
 /// done.
 struct Sharing {
   unsigned threads = 1;
-  std::uint32_t least_piece = 1u << 13;  ///< sites of a piece, at least; 6 or more
+  std::uint32_t least_piece = 1u << 13;  ///< sites of a piece, at least; 6 or more, which are no more cut
   std::size_t least_edges = 8;           ///< so many of edges_across make a merge worth a SeamSplit
 };
 
