@@ -228,6 +228,16 @@ TEST(Delaunay, FullGridInAnyOrderOfRows) {
   EXPECT_EQ(support::triangle_set(rows, *t), support::triangle_set(columns, *u));
 }
 
+/// Most faces have a corner in another thread's part of the sites, and the last merge is begun at many edges.
+TEST(Delaunay, SameArraysForACurveOnTwoThreads) {
+  const auto points = support::point_set(Kind::parabola, 70000, 23);
+  const auto one = delaunay(points), two = delaunay(points, {.threads = 2});
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(*one, *two);
+  for (std::uint32_t v = 0; v < one->vertex_count(); ++v)
+    ASSERT_EQ(one->outgoing(VertexId(v)), two->outgoing(VertexId(v)));
+}
+
 TEST(Delaunay, SameArraysForAnyNumberOfThreads) {
   for (const Kind kind :
        {Kind::uniform, Kind::wide_grid, Kind::ring, Kind::parabola, Kind::clusters, Kind::utm}) {
