@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "fuzz_input.hpp"
-#include "kernel/divide_and_conquer.hpp"
-#include "kernel/spatial_order.hpp"
+#include "support/ordered_sites.hpp"
 #include "thalweg/delaunay.hpp"
 #include "thalweg/predicates.hpp"
 
@@ -100,17 +99,9 @@ void check_hull(const Triangulation& mesh, const std::vector<Point2>& points) {
 
 /// The sites built in pieces, and every merge in pieces that can be: the same arrays.
 void check_sharing(const std::vector<Point2>& points) {
-  const auto order = thalweg::detail::spatial_order(points, 1);
-  std::vector<Point2> sites;
-  for (std::uint32_t s = 0; s < order.site_count(); ++s) sites.push_back(points[order.first_row(s)]);
-  const auto whole = thalweg::detail::divide_and_conquer(sites, order.keys, {});
-  const auto shared = thalweg::detail::divide_and_conquer(sites, order.keys,
-                                                          {.threads = 2, .least_piece = 6, .least_edges = 1});
-  for (std::size_t i = 0; i < whole.origin.size(); ++i) {
-    if (i % 4 == 3) continue;  // of no meaning
-    fuzz::check(whole.origin[i] == shared.origin[i] && whole.twin[i] == shared.twin[i],
-                "the arrays do not depend on how the work is shared", points);
-  }
+  const support::OrderedSites ordered(points);
+  fuzz::check(words_of(ordered, {}) == words_of(ordered, support::shared_everywhere(2)),
+              "the arrays do not depend on how the work is shared", points);
 }
 
 }  // namespace

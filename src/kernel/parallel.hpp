@@ -70,6 +70,11 @@ void parallel_parts(std::size_t count, std::size_t parts, Task&& task) {
   });
 }
 
+/// Which of the `parts` of parallel_parts has an item.
+inline std::size_t part_with(std::size_t item, std::size_t count, std::size_t parts) noexcept {
+  return ((item + 1) * parts - 1) / count;
+}
+
 /// Calls task(i) for every i below `count`, in parts on several threads where there are many. For tasks of a
 /// few instructions, whose data lies where i does.
 template <class Task>

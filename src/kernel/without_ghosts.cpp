@@ -49,10 +49,9 @@ class Packing {
   static Index first_slot(std::size_t block) noexcept { return static_cast<Index>(block * kBlockSlots); }
   Index first_face(std::size_t block) const noexcept { return first_slot(block) - blocks_[block].shift / 3; }
 
-  /// Which part of the blocks, of those that parallel_parts makes, has a site.
+  /// The part of the blocks that has a site.
   std::size_t part_of(Index site) const noexcept {
-    const std::size_t block = std::min<std::size_t>(site / kBlockSites, blocks_.size() - 1);
-    return ((block + 1) * parts_ - 1) / blocks_.size();
+    return part_with(std::min<std::size_t>(site / kBlockSites, blocks_.size() - 1), blocks_.size(), parts_);
   }
 
   /// Calls task(block) for every block.

@@ -10,12 +10,14 @@
 #include "kernel/spatial_order.hpp"
 #include "oracle/lawson.hpp"
 #include "support/delaunay_check.hpp"
+#include "support/ordered_sites.hpp"
 #include "thalweg/delaunay.hpp"
 
 namespace {
 
 using support::Kind;
 using support::Random;
+using support::sites_in_order;
 using thalweg::Point2;
 using thalweg::Triangulation;
 using thalweg::detail::spatial_order;
@@ -40,12 +42,6 @@ std::vector<Point2> shuffled(std::vector<Point2> points, std::uint64_t seed) {
     std::swap(points[i - 1], points[random.below(static_cast<std::uint32_t>(i))]);
   }
   return points;
-}
-
-std::vector<Point2> sites_in_order(const std::vector<Point2>& points, const SpatialOrder& order) {
-  std::vector<Point2> sites;
-  for (std::uint32_t s = 0; s < order.site_count(); ++s) sites.push_back(points[order.first_row(s)]);
-  return sites;
 }
 
 RC_GTEST_PROP(SpatialOrder, HoldsEveryRowOnceAndEqualPointsTogether, ()) {

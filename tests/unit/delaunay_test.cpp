@@ -9,6 +9,7 @@
 #include "kernel/delaunay_sites.hpp"
 #include "kernel/spatial_order.hpp"
 #include "support/delaunay_check.hpp"
+#include "support/ordered_sites.hpp"
 #include "support/random.hpp"
 #include "thalweg/delaunay.hpp"
 
@@ -38,15 +39,9 @@ TEST(SpatialOrder, DoesNotLetDuplicatesDecideHowACellIsOrdered) {
   // Forty sites of one cell, few enough for lexicographic order even when each comes twice.
   std::vector<Point2> points = support::point_set(Kind::one_cell, 41, 5);
   points[32] = {5, 5};
-  const auto sites_of = [](const std::vector<Point2>& p) {
-    const auto order = thalweg::detail::spatial_order(p, 1);
-    std::vector<Point2> sites;
-    for (std::uint32_t s = 0; s < order.site_count(); ++s) sites.push_back(p[order.first_row(s)]);
-    return sites;
-  };
   std::vector<Point2> twice = points;
   twice.insert(twice.end(), points.begin(), points.end());
-  EXPECT_EQ(sites_of(points), sites_of(twice));
+  EXPECT_EQ(support::OrderedSites(points).sites, support::OrderedSites(twice).sites);
 }
 
 TEST(SpatialOrder, FindsDuplicatesInACrowdedCell) {

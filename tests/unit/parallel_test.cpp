@@ -149,6 +149,8 @@ TEST(ParallelParts, AreConsecutiveAndEqual) {
         }
         EXPECT_GE(ends[i] - begins[i], count / parts);
         EXPECT_LE(ends[i] - begins[i], count / parts + 1);
+        for (std::size_t item = begins[i]; item < ends[i]; ++item)
+          EXPECT_EQ(thalweg::detail::part_with(item, count, parts), i);
       }
     }
   }

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/divide_and_conquer.hpp"
 #include "kernel/edges_across.hpp"
 #include "kernel/part_builder.hpp"
-#include "kernel/spatial_order.hpp"
+#include "support/ordered_sites.hpp"
 #include "support/point_sets.hpp"
 #include "thalweg/delaunay.hpp"
 #include "thalweg/predicates.hpp"
@@ -17,42 +16,18 @@
 namespace {
 
 using support::Kind;
+using support::OrderedSites;
 using thalweg::Point2;
 using thalweg::detail::EdgeAcross;
 using thalweg::detail::GhostedTriangulation;
 
-/// Distinct sites in spatial order, with their keys.
-struct Ordered {
-  std::vector<Point2> sites;
-  std::vector<std::uint32_t> keys;
-
-  explicit Ordered(const std::vector<Point2>& points) {
-    const auto order = thalweg::detail::spatial_order(points, 1);
-    for (std::uint32_t s = 0; s < order.site_count(); ++s) sites.push_back(points[order.first_row(s)]);
-    keys.assign(order.keys.begin(), order.keys.end());
-  }
-};
-
-/// All words that mean something.
-std::vector<std::uint32_t> words(const GhostedTriangulation& mesh) {
-  std::vector<std::uint32_t> result;
-  for (std::size_t i = 0; i < mesh.origin.size(); ++i) {
-    if (i % 4 == 3) continue;
-    result.push_back(mesh.origin[i]);
-    result.push_back(mesh.twin[i]);
-  }
-  return result;
-}
-
 void expect_same_arrays(const std::vector<Point2>& points, const std::string& what) {
-  const Ordered ordered(points);
+  const OrderedSites ordered(points);
   if (ordered.sites.size() < 2) return;
-  const auto whole = words(thalweg::detail::divide_and_conquer(ordered.sites, ordered.keys, {}));
-  for (const unsigned threads : {2u, 8u}) {
-    const auto shared = words(thalweg::detail::divide_and_conquer(
-        ordered.sites, ordered.keys, {.threads = threads, .least_piece = 6, .least_edges = 1}));
-    ASSERT_EQ(whole, shared) << what << ", " << threads << " threads";
-  }
+  const auto whole = words_of(ordered, {});
+  for (const unsigned threads : {2u, 8u})
+    ASSERT_EQ(whole, words_of(ordered, support::shared_everywhere(threads)))
+        << what << ", " << threads << " threads";
 }
 
 Point2 turned(Point2 p) {
@@ -107,7 +82,7 @@ TEST(SeamSplit, SameArraysForAllKinds) {
 /// The edges across between the parts of the first cut, and whether they were certain: the triangulation has
 /// them, and keeps them however its ties are broken.
 std::vector<EdgeAcross> checked_edges(const std::vector<Point2>& points) {
-  const Ordered ordered(points);
+  const OrderedSites ordered(points);
   const auto count = static_cast<std::uint32_t>(ordered.sites.size());
   if (count < 8 || ordered.keys.front() == ordered.keys.back()) return {};
   const auto cut = thalweg::detail::cut_of(ordered.keys);
@@ -125,14 +100,18 @@ std::vector<EdgeAcross> checked_edges(const std::vector<Point2>& points) {
     const std::uint32_t p = edges[i].left, q = edges[i].right;
     EXPECT_LT(p, cut.low);
     EXPECT_GE(q, cut.low);
-    bool found = false;
-    mesh_of_all->for_each_neighbor(thalweg::VertexId(p),
-                                   [&](thalweg::VertexId v) { found |= v.index() == q; });
-    EXPECT_TRUE(found) << "edge " << p << ", " << q;
+    const auto& at = ordered.sites;
+    const auto h = mesh_of_all->find_halfedge(thalweg::VertexId(p), thalweg::VertexId(q));
+    const auto found = h.valid() ? h : mesh_of_all->find_halfedge(thalweg::VertexId(q), thalweg::VertexId(p));
+    EXPECT_TRUE(found.valid()) << "edge " << p << ", " << q;
+    if (found.valid() && mesh_of_all->twin(found).valid()) {
+      const std::uint32_t u = mesh_of_all->apex(found).index();
+      const std::uint32_t v = mesh_of_all->apex(mesh_of_all->twin(found)).index();
+      EXPECT_NE(thalweg::incircle(at[p], at[q], at[u], at[v]), 0) << "edge " << p << ", " << q;
+    }
     // From the bottom up: the triangle of two edges one after the other turns left, unless they share a site.
     if (i + 1 == edges.size()) break;
     const std::uint32_t r = edges[i + 1].left, s = edges[i + 1].right;
-    const auto& at = ordered.sites;
     EXPECT_TRUE(r == p || s == q || thalweg::orient2d(at[p], at[q], at[s]) > 0 ||
                 thalweg::orient2d(at[p], at[q], at[r]) > 0);
     EXPECT_FALSE(r == p && s == q);
