@@ -1,7 +1,9 @@
-/// A radix sort from the lowest digit up.
+/// A radix sort from the lowest digit up. Threads first share the rows by ranges of keys: each then sorts
+/// what no other touches, where three passes of them all would have each read at each pass what others wrote.
 #include "kernel/radix_sort.hpp"
 
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,25 +19,67 @@ constexpr std::uint32_t kDigitBits = 11;
 constexpr std::uint32_t kDigits = 1u << kDigitBits;
 constexpr std::uint32_t kPasses = 3;
 
-std::uint32_t digit(KeyedRow k, std::uint32_t pass) {
+std::uint32_t digit(KeyedRow k, std::uint32_t pass) noexcept {
   return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
 }
 
-/// One pass of a stable radix sort. Every part counts its digits, learns from all counts where its elements
-/// go, and moves them: the result is that of one part.
-void radix_pass(const Array<KeyedRow>& from, Array<KeyedRow>& to, std::uint32_t pass, std::size_t parts) {
-  std::vector<std::array<std::uint32_t, kDigits>> counts(parts);
-  parallel_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) ++counts[part][digit(from[i], pass)];
-  });
-  std::uint32_t place = 0;
-  for (std::size_t d = 0; d < kDigits; ++d) {
-    for (auto& count : counts) place += std::exchange(count[d], place);
+/// The stable sort of `rows` by all digits, which goes to `other`; `rows` is lost. Requires: an odd number of
+/// passes.
+void sort_into(std::span<KeyedRow> other, std::span<KeyedRow> rows) noexcept {
+  for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+    std::array<std::uint32_t, kDigits> next{};
+    for (const KeyedRow k : rows) ++next[digit(k, pass)];
+    std::uint32_t place = 0;
+    for (std::uint32_t& count : next) place += std::exchange(count, place);
+    for (const KeyedRow k : rows) other[next[digit(k, pass)]++] = k;
+    std::swap(rows, other);
   }
-  parallel_parts(from.size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    auto& next = counts[part];
-    for (std::size_t i = begin; i < end; ++i) to[next[digit(from[i], pass)]++] = from[i];
+}
+
+/// Where the ranges of keys begin after the first: at quantiles of a sample. It is taken by the golden ratio,
+/// for steps of one length may meet the same column of a grid again and again.
+std::vector<std::uint32_t> range_starts(std::span<const KeyedRow> rows, std::size_t ranges) {
+  constexpr std::size_t kSampleOfRange = 512;
+  constexpr std::uint32_t kGolden = 0x9e3779b9u;
+  std::vector<std::uint32_t> sample(kSampleOfRange * ranges);
+  std::uint32_t position = 0;
+  for (std::uint32_t& key : sample)
+    key = key_of(rows[std::uint64_t{position += kGolden} * rows.size() >> 32]);
+  std::sort(sample.begin(), sample.end());
+  std::vector<std::uint32_t> starts(ranges - 1);
+  for (std::size_t r = 0; r < starts.size(); ++r) starts[r] = sample[(r + 1) * kSampleOfRange];
+  return starts;
+}
+
+/// Copies rows range by range of their keys, in the order they have. Returns where in `to` each range begins,
+/// and the end.
+std::vector<std::uint32_t> share_out(std::span<const KeyedRow> rows, std::span<KeyedRow> to,
+                                     std::size_t ranges) {
+  const std::vector<std::uint32_t> starts = range_starts(rows, ranges);
+  const auto range_of = [&starts](KeyedRow k) {
+    std::size_t range = 0;
+    for (const std::uint32_t start : starts) range += key_of(k) >= start;
+    return range;
+  };
+  using Counts = std::vector<std::uint32_t>;
+  std::vector<Counts> counts(ranges);  // of every thread's rows, those of each range; then their places
+  parallel_parts(rows.size(), ranges, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Counts count(ranges, 0);
+    for (const KeyedRow k : rows.subspan(begin, end - begin)) ++count[range_of(k)];
+    counts[part] = std::move(count);
   });
+  Counts begins;
+  std::uint32_t place = 0;
+  for (std::size_t range = 0; range < ranges; ++range) {
+    begins.push_back(place);
+    for (Counts& count : counts) place += std::exchange(count[range], place);
+  }
+  begins.push_back(place);
+  parallel_parts(rows.size(), ranges, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Counts next = std::move(counts[part]);
+    for (const KeyedRow k : rows.subspan(begin, end - begin)) to[next[range_of(k)]++] = k;
+  });
+  return begins;
 }
 
 }  // namespace
@@ -45,12 +89,18 @@ void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
     std::sort(keyed.begin(), keyed.end());
     return;
   }
-  const std::size_t parts = parts_of(keyed.size(), kThreadRows, threads);
   Array<KeyedRow> other(keyed.size());
-  for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-    radix_pass(keyed, other, pass, parts);
+  const std::size_t ranges = parts_of(keyed.size(), kThreadRows, threads);
+  if (ranges == 1) {
+    sort_into(other, keyed);
     keyed.swap(other);
+    return;
   }
+  const std::vector<std::uint32_t> begins = share_out(keyed, other, ranges);
+  parallel_parts(ranges, ranges, [&](std::size_t range, std::size_t, std::size_t) {
+    const std::size_t begin = begins[range], size = begins[range + 1] - begin;
+    sort_into(std::span(keyed).subspan(begin, size), std::span(other).subspan(begin, size));
+  });
 }
 
 }  // namespace thalweg::detail

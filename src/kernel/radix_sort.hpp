@@ -23,7 +23,7 @@ inline std::uint32_t row_of(KeyedRow k) noexcept {
 }
 
 /// Sorts by key, and equal keys by row. Requires: rows ascend. The result does not depend on `threads`.
-/// Complexity: O(n).
+/// Complexity: O(n), for every thread.
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads);
 
 /// Calls visit(begin, end) for each run of equal keys. Requires: sorted by key. Complexity: O(n).

@@ -27,18 +27,30 @@ Array<KeyedRow> rows_with_keys(std::uint32_t count, std::uint32_t different) {
   return rows;
 }
 
+void expect_sorted(const Array<KeyedRow>& rows) {
+  std::vector<KeyedRow> expected(rows.begin(), rows.end());
+  std::sort(expected.begin(), expected.end());  // as numbers: by key, then by row
+  for (const unsigned threads : {1u, 2u, 5u}) {
+    Array<KeyedRow> sorted = rows;
+    thalweg::detail::radix_sort(sorted, threads);
+    EXPECT_TRUE(std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end()))
+        << rows.size() << " rows, " << threads << " threads";
+  }
+}
+
 TEST(RadixSort, SortsByKeyThenByRowForAnyNumberOfThreads) {
   for (const std::uint32_t count : {0u, 1u, 100u, 8191u, 8192u, 300'000u}) {
-    const Array<KeyedRow> rows = rows_with_keys(count, 1000);
-    std::vector<KeyedRow> expected(rows.begin(), rows.end());
-    std::sort(expected.begin(), expected.end());  // as numbers: by key, then by row
-    for (const unsigned threads : {1u, 2u, 5u}) {
-      Array<KeyedRow> sorted = rows;
-      thalweg::detail::radix_sort(sorted, threads);
-      EXPECT_TRUE(std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end()))
-          << count << " rows, " << threads << " threads";
-    }
+    expect_sorted(rows_with_keys(count, 1000));
   }
+}
+
+TEST(RadixSort, SortsKeysThatThreadsCannotShareWell) {
+  for (const std::uint32_t different : {1u, 2u, 3u, 1u << 30}) {
+    expect_sorted(rows_with_keys(200'000, different));
+  }
+  Array<KeyedRow> crowd = rows_with_keys(200'000, 1);
+  crowd[99'999] = keyed_row(0xffffffffu, 99'999);
+  expect_sorted(crowd);
 }
 
 TEST(RadixSort, SortsRunsOfEqualKeysByComparison) {
