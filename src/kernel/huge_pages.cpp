@@ -1,25 +1,88 @@
-/// The hint for huge pages, where the system takes one.
+/// Huge pages of Linux; elsewhere there are none.
 #include "kernel/huge_pages.hpp"
 
 #if defined(__linux__)
 #include <sys/mman.h>
 #include <unistd.h>
-
-#include <cstdint>
 #endif
+
+#include <algorithm>
+#include <cstdint>
+
+#include "kernel/assert.hpp"
 
 namespace thalweg::detail {
 
-void prefer_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) noexcept {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  if (bytes < kHugePage) return;
-  const long page = sysconf(_SC_PAGESIZE);
-  if (page <= 0) return;
-  // From the page of the first byte: what the allocator put before it must not cost a huge page.
-  const std::size_t before = reinterpret_cast<std::uintptr_t>(data) % static_cast<std::size_t>(page);
-  // A refusal (an old kernel, a setting) changes nothing but the speed.
-  static_cast<void>(madvise(static_cast<char*>(data) - before, bytes + before, MADV_HUGEPAGE));
+
+namespace {
+
+std::size_t small_page() noexcept {
+  static const long bytes = sysconf(_SC_PAGESIZE);
+  return bytes > 0 ? static_cast<std::size_t>(bytes) : kHugePage;
+}
+
+/// Whole small pages, and whole huge ones if these are not much more.
+std::size_t length_of(std::size_t bytes) noexcept {
+  const std::size_t length = bytes + -bytes % small_page();
+  const std::size_t spare = -bytes % kHugePage;
+  return spare <= std::max(kHugePage / 2, bytes / 16) ? bytes + spare : length;
+}
+
+std::size_t above_huge_page(const void* memory) noexcept {
+  return reinterpret_cast<std::uintptr_t>(memory) % kHugePage;
+}
+
+}  // namespace
+
+bool can_map_huge_pages() noexcept {
+#if defined(__has_feature)
+  return !__has_feature(address_sanitizer);
+#elif defined(__SANITIZE_ADDRESS__)
+  return false;
+#else
+  return true;
 #endif
 }
+
+void* map_huge_pages(std::size_t bytes) noexcept {
+  if (bytes > static_cast<std::size_t>(-1) / 2) return nullptr;
+  const std::size_t length = length_of(bytes);
+  const std::size_t reserved = length + kHugePage;
+  void* const mapping = mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapping == MAP_FAILED) return nullptr;
+  // Mappings begin with any small page: what is before the first huge one and behind the end goes back.
+  const std::size_t before = -above_huge_page(mapping) % kHugePage;
+  char* const memory = static_cast<char*>(mapping) + before;
+  if (before > 0) munmap(mapping, before);
+  if (before < kHugePage) munmap(memory + length, kHugePage - before);
+  prefer_huge_pages(memory, length);
+  return memory;
+}
+
+void unmap_huge_pages(void* memory, std::size_t bytes) noexcept {
+  THALWEG_ASSERT(above_huge_page(memory) == 0);
+  munmap(memory, length_of(bytes));
+}
+
+void prefer_huge_pages(void* data, std::size_t bytes) noexcept {
+  const std::size_t before = reinterpret_cast<std::uintptr_t>(data) % small_page();
+  // A refusal (an old kernel, a setting) changes nothing but the speed.
+  if (bytes >= kHugePage)
+    static_cast<void>(madvise(static_cast<char*>(data) - before, bytes + before, MADV_HUGEPAGE));
+}
+
+#else
+
+bool can_map_huge_pages() noexcept {
+  return false;
+}
+void* map_huge_pages(std::size_t) noexcept {
+  return nullptr;
+}
+void unmap_huge_pages(void*, std::size_t) noexcept {}
+void prefer_huge_pages(void*, std::size_t) noexcept {}
+
+#endif
 
 }  // namespace thalweg::detail

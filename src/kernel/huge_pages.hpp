@@ -1,16 +1,27 @@
-/// Huge pages: the first touch of fresh memory is what they make cheap. A page of 4 KB costs from a quarter of
-/// a microsecond to ten (under some hypervisors), one of 2 MB, which is 512 of them, some hundred.
+/// Huge pages: fresh memory costs a visit to the system for every page that is touched first, from a quarter
+/// of a microsecond to ten under some hypervisors. A page of 2 MB costs little more than one of its 512 small
+/// ones.
 #pragma once
 
 #include <cstddef>
 
 namespace thalweg::detail {
 
-/// As x86-64 has them, and ARM with pages of 4 KB. Where they are larger, nothing is lost but the advantage.
+/// As x86-64 has them, and ARM with small pages of 4 KB. Where they are larger, only the advantage is lost.
 inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
-/// Asks the system for huge pages wherever whole ones lie in this memory. A hint only: nothing depends on it,
-/// outside Linux it does nothing, and it is useless for what was touched already.
+/// Whether memory can be had from the system in huge pages. Not under the address sanitizer, which guards
+/// only what operator new returns.
+bool can_map_huge_pages() noexcept;
+
+/// Fresh memory that begins with a huge page and is made of them, a last one too if it takes little more
+/// memory; nullptr if there is no more. Requires: can_map_huge_pages().
+void* map_huge_pages(std::size_t bytes) noexcept;
+/// Gives back what map_huge_pages(bytes) returned.
+void unmap_huge_pages(void* memory, std::size_t bytes) noexcept;
+
+/// Asks for huge pages wherever whole ones lie in this memory. A hint only: nothing depends on it, it is
+/// useless for what was touched already, and outside Linux it does nothing.
 void prefer_huge_pages(void* data, std::size_t bytes) noexcept;
 
 }  // namespace thalweg::detail

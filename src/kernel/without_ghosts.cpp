@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,8 +29,6 @@ class Packing {
       : mesh_(std::move(mesh)),
         slot_count_(static_cast<Index>(mesh_.origin.size() / 4)),
         blocks_((slot_count_ + kBlockSlots - 1) / kBlockSlots),
-        ghosts_(blocks_.size()),
-        hull_(blocks_.size()),
         parts_(parts_of(blocks_.size(), kBlocksOfThread, threads)) {
     find_ghosts();
   }
@@ -46,8 +45,22 @@ class Packing {
     Index shift = 0;  ///< three times the ghosts before the block
   };
 
+  struct Corners {
+    Array<Index> origin;    ///< of every half-edge
+    Array<Index> outgoing;  ///< a half-edge of every site
+  };
+
+  /// Half-edges that leave sites of other parts, some for each.
+  using Strays = std::vector<std::vector<Index>>;
+
   static Index first_slot(std::size_t block) noexcept { return static_cast<Index>(block * kBlockSlots); }
+  Index end_slot(std::size_t block) const noexcept { return std::min(first_slot(block + 1), slot_count_); }
   Index first_face(std::size_t block) const noexcept { return first_slot(block) - blocks_[block].shift / 3; }
+
+  /// What is told of the ghosts of a block.
+  std::span<Index> of_block(Array<Index>& of_ghosts, std::size_t block) const noexcept {
+    return std::span(of_ghosts).subspan(blocks_[block].shift / 3, end_slot(block) - blocks_[block].end / 4);
+  }
 
   /// The part of the blocks that has a site.
   std::size_t part_of(Index site) const noexcept {
@@ -66,9 +79,9 @@ class Packing {
   void cut_off_ghosts();
   void fill_holes();
   auto renumbering() const noexcept;
-  template <class Convert>
-  Array<Index> packed(const Array<Index>& slots, Convert&& convert);
-  Array<Index> outgoing_of(const Array<Index>& origin);
+  Array<Index> packed_twins();
+  Strays pack_corners(std::size_t begin, std::size_t end, Corners& corners);
+  Corners packed_corners();
 
   /// The word of `origin` that has no corner tells of a face that was moved the first half-edge of its new
   /// slot.
@@ -76,42 +89,50 @@ class Packing {
   Index slot_count_;
   Index face_count_ = 0;
   std::vector<Block> blocks_;
-  std::vector<std::vector<Index>> ghosts_;  ///< of each block, their slots, ascending
-  std::vector<std::vector<Index>> hull_;    ///< and behind each of them the half-edge along the hull
+  Array<Index> ghosts_;  ///< their slots, ascending
+  Array<Index> hull_;    ///< behind each of them the half-edge along the hull
   std::size_t parts_;
 };
 
 void Packing::find_ghosts() {
-  each_block([&](std::size_t b) {
-    const Index begin = first_slot(b), end = std::min(begin + kBlockSlots, slot_count_);
-    std::vector<Index> found(end - begin);
-    Index count = 0;
-    for (Index slot = begin; slot < end; ++slot) {
-      const Index* corners = &mesh_.origin[4 * std::size_t{slot}];
-      found[count] = slot;  // a branch would be a guess where ghosts are many
-      count += (corners[0] | corners[1] | corners[2]) >> 31;  // no site has this bit
+  std::vector<Array<Index>> ghosts(parts_);
+  parallel_parts(blocks_.size(), parts_, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Array<Index> found(kBlockSlots), all;
+    for (std::size_t b = begin; b < end; ++b) {
+      Index count = 0;
+      for (Index slot = first_slot(b); slot < end_slot(b); ++slot) {
+        const Index* corners = &mesh_.origin[4 * std::size_t{slot}];
+        found[count] = slot;  // a branch would be a guess where ghosts are many
+        count += (corners[0] | corners[1] | corners[2]) >> 31;  // no site has this bit
+      }
+      all.insert(all.end(), found.data(), found.data() + count);
+      blocks_[b].end = 4 * (end_slot(b) - count);
     }
-    ghosts_[b].assign(found.begin(), found.begin() + count);
-    blocks_[b].end = 4 * (end - count);
+    ghosts[part] = std::move(all);
   });
-  Index ghosts = 0;
+  Index count = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    blocks_[b].shift = 3 * ghosts;
-    ghosts += static_cast<Index>(ghosts_[b].size());
+    blocks_[b].shift = 3 * count;
+    count += end_slot(b) - blocks_[b].end / 4;
   }
-  face_count_ = slot_count_ - ghosts;
+  face_count_ = slot_count_ - count;
+  ghosts_ = Array<Index>(count);
+  hull_ = Array<Index>(count);
+  parallel_parts(blocks_.size(), parts_, [&](std::size_t part, std::size_t begin, std::size_t) {
+    std::ranges::copy(ghosts[part], of_block(ghosts_, begin).data());
+  });
 }
 
 /// Lets the hull have no twin, and notes it.
 void Packing::cut_off_ghosts() {
   each_block([&](std::size_t b) {
-    hull_[b].reserve(ghosts_[b].size());
-    for (const Index ghost : ghosts_[b]) {
+    std::ranges::transform(of_block(ghosts_, b), of_block(hull_, b).begin(), [&](Index ghost) {
       Index h = 4 * ghost;
       while (mesh_.origin[prev_of(h)] != kGhost) ++h;
-      hull_[b].push_back(mesh_.twin[h]);
-      mesh_.twin[mesh_.twin[h]] = kNone;
-    }
+      const Index along = mesh_.twin[h];
+      mesh_.twin[along] = kNone;
+      return along;
+    });
   });
 }
 
@@ -119,11 +140,12 @@ void Packing::cut_off_ghosts() {
 void Packing::fill_holes() {
   each_block([&](std::size_t b) {
     const Index tail = blocks_[b].end / 4;
-    const auto tail_ghosts = std::lower_bound(ghosts_[b].begin(), ghosts_[b].end(), tail);
+    const auto ghosts = of_block(ghosts_, b);
+    const auto tail_ghosts = std::ranges::lower_bound(ghosts, tail);
     auto next_ghost = tail_ghosts;
     Index from = tail;
-    for (auto to = ghosts_[b].begin(); to != tail_ghosts; ++to, ++from) {
-      for (; next_ghost != ghosts_[b].end() && *next_ghost == from; ++next_ghost) ++from;
+    for (auto to = ghosts.begin(); to != tail_ghosts; ++to, ++from) {
+      for (; next_ghost != ghosts.end() && *next_ghost == from; ++next_ghost) ++from;
       std::copy_n(&mesh_.origin[4 * std::size_t{from}], 3, &mesh_.origin[4 * std::size_t{*to}]);
       std::copy_n(&mesh_.twin[4 * std::size_t{from}], 3, &mesh_.twin[4 * std::size_t{*to}]);
       mesh_.origin[4 * std::size_t{from} + 3] = 4 * *to;
@@ -142,67 +164,80 @@ auto Packing::renumbering() const noexcept {
   };
 }
 
-/// Three words a face from four a slot, each of them converted.
-template <class Convert>
-Array<Index> Packing::packed(const Array<Index>& slots, Convert&& convert) {
-  Array<Index> faces(3 * std::size_t{face_count_});
+/// Three words a face from four a slot, with their new numbers.
+Array<Index> Packing::packed_twins() {
+  Array<Index> twin(3 * std::size_t{face_count_});
   each_block([&](std::size_t b) {
-    const std::size_t begin = 4 * std::size_t{first_slot(b)};
-    Index* face = faces.data() + 3 * std::size_t{first_face(b)};
-    for (std::size_t slot = begin; slot < blocks_[b].end; slot += 4, face += 3) {
-      for (std::size_t i = 0; i < 3; ++i) face[i] = convert(slots[slot + i]);
+    const auto renumbered = renumbering();
+    Index* face = &twin[0] + 3 * std::size_t{first_face(b)};
+    for (std::size_t slot = 4 * std::size_t{first_slot(b)}; slot < blocks_[b].end; slot += 4, face += 3) {
+      for (std::size_t i = 0; i < 3; ++i) face[i] = renumbered(mesh_.twin[slot + i]);
     }
   });
-  return faces;
+  return twin;
 }
 
-/// For every site the half-edge along the hull that leaves it, or else the first of all that do. Each part of
-/// the faces has a part of the sites for itself: those that lie where its triangles do. What the parts find
-/// for one another comes later, and then the hull, of which one half-edge leaves a site.
-Array<Index> Packing::outgoing_of(const Array<Index>& origin) {
-  const std::size_t site_count = slot_count_ / 2 + 1;
-  Array<Index> outgoing(site_count);
-  using Strays = std::vector<std::vector<Index>>;
-  std::vector<Strays> strays(parts_);  // of each part those for each
-  parallel_parts(blocks_.size(), parts_, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    const std::size_t low = begin * kBlockSites;
-    const std::size_t high = end == blocks_.size() ? site_count : end * kBlockSites;
-    std::fill(&outgoing[low], &outgoing[low] + (high - low), kNone);
-    Strays for_others(parts_);  // its own, or threads would write to the same lines of memory
-    const Index first = 3 * first_face(begin),
-                last = 3 * (end == blocks_.size() ? face_count_ : first_face(end));
-    for (Index h = last; h-- > first;) {
-      const Index v = origin[h];
-      if (v - low < high - low) {
-        outgoing[v] = h;
-      } else {
-        for_others[part_of(v)].push_back(h);
+/// Three words a face from four a slot, for the blocks of a part from the last to the first, so that each
+/// site of the part is left with the first half-edge that leaves it. Returns those that leave others' sites.
+Packing::Strays Packing::pack_corners(std::size_t begin, std::size_t end, Corners& corners) {
+  const std::size_t low = begin * kBlockSites;
+  const std::size_t high = end == blocks_.size() ? corners.outgoing.size() : end * kBlockSites;
+  Index* const outgoing = corners.outgoing.data();
+  std::fill(outgoing + low, outgoing + high, kNone);
+  Strays strays(parts_);
+  for (std::size_t b = end; b-- > begin;) {
+    const Index* const first = &mesh_.origin[4 * std::size_t{first_slot(b)}];
+    Index h = 3 * (first_face(b) + blocks_[b].end / 4 - first_slot(b));
+    for (const Index* slot = mesh_.origin.data() + blocks_[b].end; slot != first;) {
+      slot -= 4;
+      for (std::size_t i = 3; i-- > 0;) {
+        const Index v = slot[i];
+        corners.origin[--h] = v;
+        if (v - low < high - low) {
+          outgoing[v] = h;
+        } else {
+          strays[part_of(v)].push_back(h);
+        }
       }
     }
-    strays[part] = std::move(for_others);
+  }
+  return strays;
+}
+
+/// The origins, and for every site the half-edge along the hull that leaves it, or else the first of all that
+/// do. Each part of the faces has a part of the sites for itself: those that lie where its triangles do. What
+/// the parts find for one another comes later, and then the hull, of which one half-edge leaves a site.
+Packing::Corners Packing::packed_corners() {
+  Corners corners{Array<Index>(3 * std::size_t{face_count_}), Array<Index>(slot_count_ / 2 + 1)};
+  std::vector<Strays> strays(parts_);  // of each part
+  parallel_parts(blocks_.size(), parts_, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    strays[part] = pack_corners(begin, end, corners);
   });
   parallel_parts(parts_, parts_, [&](std::size_t to, std::size_t, std::size_t) {
     for (const Strays& of_part : strays) {
-      for (const Index h : of_part[to]) outgoing[origin[h]] = std::min(outgoing[origin[h]], h);
+      for (const Index h : of_part[to]) {
+        Index& first = corners.outgoing[corners.origin[h]];
+        first = std::min(first, h);
+      }
     }
   });
   each_block([&](std::size_t b) {
-    for (const Index h : hull_[b]) outgoing[origin[h]] = h;
+    for (const Index h : of_block(hull_, b)) corners.outgoing[corners.origin[h]] = h;
   });
-  return outgoing;
+  return corners;
 }
 
 /// One array comes after the other, so that no more memory is held than there must be.
 Triangulation Packing::run() {
   cut_off_ghosts();
   fill_holes();
-  each_block([&](std::size_t b) { std::ranges::transform(hull_[b], hull_[b].begin(), renumbering()); });
-  Array<Index> twin = packed(mesh_.twin, renumbering());
+  each_block([&](std::size_t b) {
+    std::ranges::transform(of_block(hull_, b), of_block(hull_, b).begin(), renumbering());
+  });
+  Array<Index> twin = packed_twins();
   mesh_.twin = Array<Index>();  // braces would empty it and keep the memory
-  Array<Index> origin = packed(mesh_.origin, [](Index v) { return v; });
-  mesh_.origin = Array<Index>();
-  Array<Index> outgoing = outgoing_of(origin);
-  return linked(std::move(origin), std::move(twin), std::move(outgoing));
+  Corners corners = packed_corners();
+  return linked(std::move(corners.origin), std::move(twin), std::move(corners.outgoing));
 }
 
 }  // namespace
