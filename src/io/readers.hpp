@@ -12,7 +12,6 @@
 #include "io/mesh_file.hpp"
 #include "io/point_table.hpp"
 #include "io/read_options.hpp"
-#include "kernel/huge_pages.hpp"
 #include "thalweg/result.hpp"
 
 namespace thalweg::io {
@@ -36,12 +35,15 @@ inline constexpr std::uint64_t kMostPoints = 0x1fffffff;
 /// so many.
 std::optional<Error> find_excess(const InputFile& input, std::uint64_t count);
 
+/// Asks the system for huge pages, which make it several times cheaper to touch fresh memory. Only a hint.
+void prefer_huge_pages(void* data, std::size_t bytes) noexcept;
+
 /// Makes room for `count` items without touching it. Untouched room costs nothing, so a guess may be
 /// generous.
 template <class T>
 void reserve_large(std::vector<T>& items, std::size_t count) {
   items.reserve(count);
-  detail::prefer_huge_pages(items.data() + items.size(), (items.capacity() - items.size()) * sizeof(T));
+  prefer_huge_pages(items.data() + items.size(), (items.capacity() - items.size()) * sizeof(T));
 }
 
 }  // namespace thalweg::io

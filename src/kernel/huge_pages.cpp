@@ -22,15 +22,19 @@ std::size_t small_page() noexcept {
   return bytes > 0 ? static_cast<std::size_t>(bytes) : kHugePage;
 }
 
-/// Whole small pages, and whole huge ones if these are not much more.
-std::size_t length_of(std::size_t bytes) noexcept {
-  const std::size_t length = bytes + -bytes % small_page();
-  const std::size_t spare = -bytes % kHugePage;
-  return spare <= std::max(kHugePage / 2, bytes / 16) ? bytes + spare : length;
+/// What is missing to a multiple of a page.
+std::size_t missing(std::size_t bytes, std::size_t page) noexcept {
+  return (page - bytes % page) % page;
 }
 
-std::size_t above_huge_page(const void* memory) noexcept {
-  return reinterpret_cast<std::uintptr_t>(memory) % kHugePage;
+/// Whole small pages, and whole huge ones if these are not much more.
+std::size_t length_of(std::size_t bytes) noexcept {
+  const std::size_t spare = missing(bytes, kHugePage);
+  return bytes + (spare <= std::max(kHugePage / 2, bytes / 16) ? spare : missing(bytes, small_page()));
+}
+
+std::size_t below_huge_page(const void* memory) noexcept {
+  return missing(reinterpret_cast<std::uintptr_t>(memory), kHugePage);
 }
 
 }  // namespace
@@ -48,28 +52,22 @@ bool can_map_huge_pages() noexcept {
 void* map_huge_pages(std::size_t bytes) noexcept {
   if (bytes > static_cast<std::size_t>(-1) / 2) return nullptr;
   const std::size_t length = length_of(bytes);
-  const std::size_t reserved = length + kHugePage;
-  void* const mapping = mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void* const mapping =
+      mmap(nullptr, length + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapping == MAP_FAILED) return nullptr;
   // Mappings begin with any small page: what is before the first huge one and behind the end goes back.
-  const std::size_t before = -above_huge_page(mapping) % kHugePage;
+  const std::size_t before = below_huge_page(mapping);
   char* const memory = static_cast<char*>(mapping) + before;
   if (before > 0) munmap(mapping, before);
-  if (before < kHugePage) munmap(memory + length, kHugePage - before);
-  prefer_huge_pages(memory, length);
+  munmap(memory + length, kHugePage - before);
+  // A refusal (an old kernel, a setting) changes nothing but the speed.
+  static_cast<void>(madvise(memory, length, MADV_HUGEPAGE));
   return memory;
 }
 
 void unmap_huge_pages(void* memory, std::size_t bytes) noexcept {
-  THALWEG_ASSERT(above_huge_page(memory) == 0);
+  THALWEG_ASSERT(below_huge_page(memory) == 0);
   munmap(memory, length_of(bytes));
-}
-
-void prefer_huge_pages(void* data, std::size_t bytes) noexcept {
-  const std::size_t before = reinterpret_cast<std::uintptr_t>(data) % small_page();
-  // A refusal (an old kernel, a setting) changes nothing but the speed.
-  if (bytes >= kHugePage)
-    static_cast<void>(madvise(static_cast<char*>(data) - before, bytes + before, MADV_HUGEPAGE));
 }
 
 #else
@@ -81,7 +79,6 @@ void* map_huge_pages(std::size_t) noexcept {
   return nullptr;
 }
 void unmap_huge_pages(void*, std::size_t) noexcept {}
-void prefer_huge_pages(void*, std::size_t) noexcept {}
 
 #endif
 

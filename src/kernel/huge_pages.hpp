@@ -20,8 +20,4 @@ void* map_huge_pages(std::size_t bytes) noexcept;
 /// Gives back what map_huge_pages(bytes) returned.
 void unmap_huge_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Asks for huge pages wherever whole ones lie in this memory. A hint only: nothing depends on it, it is
-/// useless for what was touched already, and outside Linux it does nothing.
-void prefer_huge_pages(void* data, std::size_t bytes) noexcept;
-
 }  // namespace thalweg::detail
