@@ -1,8 +1,9 @@
-/// The `thalweg` command as a process: its streams and signals.
+/// The `thalweg` command as a process: its memory, streams and signals.
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "cli/interrupt.hpp"
+#include "cli/memory.hpp"
 #include "cli/run.hpp"
 
 namespace thalweg::cli {
@@ -21,6 +22,7 @@ void occupy_closed_streams() noexcept {
 }  // namespace thalweg::cli
 
 int main(int argc, char** argv) {
+  thalweg::cli::keep_freed_memory();
   thalweg::cli::occupy_closed_streams();
   thalweg::cli::handle_signals();
   return static_cast<int>(thalweg::cli::run(argc, argv));

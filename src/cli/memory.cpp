@@ -1,0 +1,71 @@
+/// Settings of glibc's allocator, and a heap of huge pages.
+#include "cli/memory.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+
+namespace thalweg::cli {
+namespace {
+
+constexpr int kMegabyte = 1 << 20;
+constexpr int kOwnMapping = 32 * kMegabyte;  // glibc's allocator keeps no more than this in its heap
+
+/// A refusal (an old kernel, a setting) changes nothing but the speed.
+void prefer_huge_pages(char* begin, const char* end) noexcept {
+  static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  begin -= reinterpret_cast<std::uintptr_t>(begin) % page;
+  static_cast<void>(madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE));
+}
+
+/// Huge pages for what the heap has grown by since the last call.
+void prefer_huge_pages_in_heap() noexcept {
+  static std::atomic<char*> end_before = nullptr;
+  char* const end = static_cast<char*>(sbrk(0));
+  char* const begin = end_before.exchange(end);
+  if (begin != nullptr && begin < end) prefer_huge_pages(begin, end);
+}
+
+}  // namespace
+
+void keep_freed_memory() noexcept {
+  mallopt(M_MMAP_THRESHOLD, kOwnMapping);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 64 * kMegabyte);
+  prefer_huge_pages_in_heap();
+}
+
+}  // namespace thalweg::cli
+
+/// The command's own: whoever asks for much is about to touch it.
+void* operator new(std::size_t size) {
+  auto* const block = static_cast<char*>(std::malloc(size == 0 ? 1 : size));
+  if (block == nullptr) throw std::bad_alloc();
+  if (size >= std::size_t{thalweg::cli::kOwnMapping}) {
+    thalweg::cli::prefer_huge_pages(block, block + size);
+  } else if (size >= std::size_t{thalweg::cli::kMegabyte} / 16) {
+    thalweg::cli::prefer_huge_pages_in_heap();
+  }
+  return block;
+}
+void operator delete(void* block) noexcept {
+  std::free(block);
+}
+void operator delete(void* block, std::size_t) noexcept {
+  std::free(block);
+}
+
+#else
+
+void thalweg::cli::keep_freed_memory() noexcept {}
+
+#endif
