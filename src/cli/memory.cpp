@@ -2,6 +2,7 @@
 #include "cli/memory.hpp"
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -35,12 +36,18 @@ void prefer_huge_pages_in_heap() noexcept {
   if (begin != nullptr && begin < end) prefer_huge_pages(begin, end);
 }
 
+/// Then nothing is reserved that may not be needed.
+bool is_limited(decltype(RLIMIT_AS) resource) noexcept {
+  rlimit limit{};
+  return getrlimit(resource, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
+}
+
 }  // namespace
 
 void keep_freed_memory() noexcept {
   mallopt(M_MMAP_THRESHOLD, kOwnMapping);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_TOP_PAD, 64 * kMegabyte);
+  if (!is_limited(RLIMIT_AS) && !is_limited(RLIMIT_DATA)) mallopt(M_TOP_PAD, 64 * kMegabyte);
   prefer_huge_pages_in_heap();
 }
 
