@@ -10,12 +10,13 @@
 
 namespace thalweg::detail {
 
-/// Memory of so many elements of so many bytes, in large pages where the system has them and it matters:
-/// touching it for the first time is then several times cheaper, and so is reaching far into it. Throws
-/// std::bad_alloc: out of line, so that users may compile without exceptions.
+/// Memory of so many elements of so many bytes: of operator new, but from a megabyte on straight from the
+/// system in huge pages, where it has them. Touching it for the first time is then up to fifty times cheaper,
+/// and so is reaching far into it. Throws std::bad_alloc: out of line, so that users may compile without
+/// exceptions.
 THALWEG_EXPORT void* allocate_array(std::size_t count, std::size_t size);
-/// Gives it back.
-THALWEG_EXPORT void deallocate_array(void* memory) noexcept;
+/// Gives back what allocate_array(count, size) returned.
+THALWEG_EXPORT void deallocate_array(void* memory, std::size_t count, std::size_t size) noexcept;
 
 /// An allocator for std::vector under which elements that are not given are default-initialised: numbers have
 /// no value yet.
@@ -28,7 +29,7 @@ struct UninitializedAllocator {
   UninitializedAllocator(const UninitializedAllocator<U>&) noexcept {}
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_array(count, sizeof(T))); }
-  void deallocate(T* memory, std::size_t) noexcept { deallocate_array(memory); }
+  void deallocate(T* memory, std::size_t count) noexcept { deallocate_array(memory, count, sizeof(T)); }
 
   template <class U>
   void construct(U* place) noexcept {

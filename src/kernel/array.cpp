@@ -1,56 +1,34 @@
-/// Memory for large arrays, with the hint for huge pages where the system takes one.
+/// Memory for arrays: large ones come from the system in huge pages, where it has them.
 #include "thalweg/array.hpp"
 
 #include <new>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <cstdint>
-#endif
+#include "kernel/huge_pages.hpp"
 
 namespace thalweg::detail {
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{1} << 21;
-
-/// A hint only: nothing depends on it, and outside Linux it does nothing. Requires: memory that was not
-/// touched yet, or the hint is useless.
-void prefer_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) noexcept {
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t kWorthwhile = 2 * kHugePage;
-  if (bytes < kWorthwhile) return;
-  const long page = sysconf(_SC_PAGESIZE);
-  if (page <= 0) return;
-  // From the page of the first byte: what an allocator puts before it in a mapping of its own must not cost a
-  // huge page. A refusal (an old kernel, a setting) changes nothing but the speed.
-  const std::size_t before = reinterpret_cast<std::uintptr_t>(data) % static_cast<std::size_t>(page);
-  static_cast<void>(madvise(static_cast<char*>(data) - before, bytes + before, MADV_HUGEPAGE));
-#endif
-}
-
-/// Where allocators give an array a mapping of its own (glibc: from 32 MB on, always), whole huge pages of
-/// it, with room for what they put before it: Linux then begins the mapping with a huge page, and none of it
-/// is small ones.
-std::size_t whole_huge_pages(std::size_t bytes) noexcept {
-  constexpr std::size_t kOwnMapping = std::size_t{32} << 20, kHeader = 64;
-  if (bytes < kOwnMapping || bytes > static_cast<std::size_t>(-1) / 2) return bytes;
-  return (bytes + kHeader + kHugePage - 1) / kHugePage * kHugePage - kHeader;
+bool is_mapped(std::size_t bytes) noexcept {
+  return bytes >= kHugePage / 2 && can_map_huge_pages();
 }
 
 }  // namespace
 
 void* allocate_array(std::size_t count, std::size_t size) {
   if (count > static_cast<std::size_t>(-1) / size) throw std::bad_array_new_length();
-  const std::size_t bytes = whole_huge_pages(count * size);
-  void* memory = ::operator new(bytes);
-  prefer_huge_pages(memory, bytes);
-  return memory;
+  const std::size_t bytes = count * size;
+  if (!is_mapped(bytes)) return ::operator new(bytes);
+  if (void* memory = map_huge_pages(bytes)) return memory;
+  throw std::bad_alloc();
 }
 
-void deallocate_array(void* memory) noexcept {
-  ::operator delete(memory);
+void deallocate_array(void* memory, std::size_t count, std::size_t size) noexcept {
+  const std::size_t bytes = count * size;
+  if (is_mapped(bytes)) {
+    unmap_huge_pages(memory, bytes);
+  } else {
+    ::operator delete(memory);
+  }
 }
 
 }  // namespace thalweg::detail

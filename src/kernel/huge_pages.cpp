@@ -1,0 +1,85 @@
+/// Huge pages of Linux; elsewhere there are none.
+#include "kernel/huge_pages.hpp"
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+#include <algorithm>
+#include <cstdint>
+
+#include "kernel/assert.hpp"
+
+namespace thalweg::detail {
+
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+
+namespace {
+
+std::size_t small_page() noexcept {
+  static const long bytes = sysconf(_SC_PAGESIZE);
+  return bytes > 0 ? static_cast<std::size_t>(bytes) : kHugePage;
+}
+
+/// What is missing to a multiple of a page.
+std::size_t missing(std::size_t bytes, std::size_t page) noexcept {
+  return (page - bytes % page) % page;
+}
+
+/// Whole small pages, and whole huge ones if these are not much more.
+std::size_t length_of(std::size_t bytes) noexcept {
+  const std::size_t spare = missing(bytes, kHugePage);
+  return bytes + (spare <= std::max(kHugePage / 2, bytes / 16) ? spare : missing(bytes, small_page()));
+}
+
+std::size_t below_huge_page(const void* memory) noexcept {
+  return missing(reinterpret_cast<std::uintptr_t>(memory), kHugePage);
+}
+
+}  // namespace
+
+bool can_map_huge_pages() noexcept {
+#if defined(__has_feature)
+  return !__has_feature(address_sanitizer);
+#elif defined(__SANITIZE_ADDRESS__)
+  return false;
+#else
+  return true;
+#endif
+}
+
+void* map_huge_pages(std::size_t bytes) noexcept {
+  if (bytes > static_cast<std::size_t>(-1) / 2) return nullptr;
+  const std::size_t length = length_of(bytes);
+  void* const mapping =
+      mmap(nullptr, length + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapping == MAP_FAILED) return nullptr;
+  // Mappings begin with any small page: what is before the first huge one and behind the end goes back.
+  const std::size_t before = below_huge_page(mapping);
+  char* const memory = static_cast<char*>(mapping) + before;
+  if (before > 0) munmap(mapping, before);
+  munmap(memory + length, kHugePage - before);
+  // A refusal (an old kernel, a setting) changes nothing but the speed.
+  static_cast<void>(madvise(memory, length, MADV_HUGEPAGE));
+  return memory;
+}
+
+void unmap_huge_pages(void* memory, std::size_t bytes) noexcept {
+  THALWEG_ASSERT(below_huge_page(memory) == 0);
+  munmap(memory, length_of(bytes));
+}
+
+#else
+
+bool can_map_huge_pages() noexcept {
+  return false;
+}
+void* map_huge_pages(std::size_t) noexcept {
+  return nullptr;
+}
+void unmap_huge_pages(void*, std::size_t) noexcept {}
+
+#endif
+
+}  // namespace thalweg::detail

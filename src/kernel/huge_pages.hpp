@@ -1,0 +1,23 @@
+/// Huge pages: fresh memory costs a visit to the system for every page that is touched first, from a quarter
+/// of a microsecond to ten under some hypervisors. A page of 2 MB costs little more than one of its 512 small
+/// ones.
+#pragma once
+
+#include <cstddef>
+
+namespace thalweg::detail {
+
+/// As x86-64 has them, and ARM with small pages of 4 KB. Where they are larger, only the advantage is lost.
+inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
+/// Whether memory can be had from the system in huge pages. Not under the address sanitizer, which guards
+/// only what operator new returns.
+bool can_map_huge_pages() noexcept;
+
+/// Fresh memory that begins with a huge page and is made of them, a last one too if it takes little more
+/// memory; nullptr if there is no more. Requires: can_map_huge_pages().
+void* map_huge_pages(std::size_t bytes) noexcept;
+/// Gives back what map_huge_pages(bytes) returned.
+void unmap_huge_pages(void* memory, std::size_t bytes) noexcept;
+
+}  // namespace thalweg::detail
