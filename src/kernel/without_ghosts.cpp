@@ -51,7 +51,7 @@ class Packing {
   };
 
   /// Half-edges that leave sites of other parts, some for each.
-  using Strays = std::vector<std::vector<Index>>;
+  using Strays = std::vector<Array<Index>>;
 
   static Index first_slot(std::size_t block) noexcept { return static_cast<Index>(block * kBlockSlots); }
   Index end_slot(std::size_t block) const noexcept { return std::min(first_slot(block + 1), slot_count_); }
@@ -80,6 +80,9 @@ class Packing {
   void fill_holes();
   auto renumbering() const noexcept;
   Array<Index> packed_twins();
+  [[gnu::noinline]] void add_stray(Strays& strays, Index site, Index h) const {
+    strays[part_of(site)].push_back(h);
+  }
   Strays pack_corners(std::size_t begin, std::size_t end, Corners& corners);
   Corners packed_corners();
 
@@ -196,7 +199,7 @@ Packing::Strays Packing::pack_corners(std::size_t begin, std::size_t end, Corner
         if (v - low < high - low) {
           outgoing[v] = h;
         } else {
-          strays[part_of(v)].push_back(h);
+          add_stray(strays, v, h);
         }
       }
     }
