@@ -138,7 +138,7 @@ bool readable(const std::string& path) {
 /// The files of real terrain by name.
 std::map<std::string, std::string> real_files() {
   std::map<std::string, std::string> files;
-  if (const char* folder = std::getenv("THALWEG_DATA")) {
+  if (const char* folder = std::getenv("THALWEG_DATA"); folder != nullptr && *folder != '\0') {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (!entry.is_regular_file() || !readable(entry.path().string())) continue;
       files.emplace(entry.path().filename().string(), entry.path().string());
