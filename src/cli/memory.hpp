@@ -3,9 +3,10 @@
 
 namespace thalweg::cli {
 
-/// Lets what is given back be used again, before it is asked of the system anew: that costs a visit to the
-/// system for every page, a tenth of the time of a command. Only for a process that soon ends: the memory is
-/// kept until then. Does nothing where the allocator has no such settings.
+/// Lets memory that is given back be used again, and has it come in huge pages: each page that is touched for
+/// the first time costs a visit to the system, with small pages a tenth of the time of a command. For a
+/// process that soon ends, since it keeps the memory until then. Does nothing where the allocator is not
+/// glibc's.
 void keep_freed_memory() noexcept;
 
 }  // namespace thalweg::cli

@@ -80,6 +80,7 @@ class Packing {
   void fill_holes();
   auto renumbering() const noexcept;
   Array<Index> packed_twins();
+  /// Out of line: it is seldom called, and would take registers from the loop that calls it.
   [[gnu::noinline]] void add_stray(Strays& strays, Index site, Index h) const {
     strays[part_of(site)].push_back(h);
   }
