@@ -12,7 +12,16 @@
 #include <limits>
 #include <new>
 
-#if defined(__GLIBC__)
+// The address sanitizer has an allocator of its own, and pairs every delete with its own new.
+#if defined(__SANITIZE_ADDRESS__)
+#define THALWEG_OWN_HEAP 0
+#elif defined(__has_feature)
+#define THALWEG_OWN_HEAP !__has_feature(address_sanitizer)
+#else
+#define THALWEG_OWN_HEAP 1
+#endif
+
+#if defined(__GLIBC__) && THALWEG_OWN_HEAP
 #include <malloc.h>
 
 namespace thalweg::cli {
