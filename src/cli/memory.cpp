@@ -1,13 +1,11 @@
 /// Settings of glibc's allocator, and a heap of huge pages.
 #include "cli/memory.hpp"
 
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <new>
@@ -24,25 +22,21 @@
 #if defined(__GLIBC__) && THALWEG_OWN_HEAP
 #include <malloc.h>
 
+#include "io/huge_pages.hpp"
+
 namespace thalweg::cli {
 namespace {
 
 constexpr int kMegabyte = 1 << 20;
 constexpr int kOwnMapping = 32 * kMegabyte;  // glibc's allocator keeps no more than this in its heap
-
-/// A refusal (an old kernel, a setting) changes nothing but the speed.
-void prefer_huge_pages(char* begin, const char* end) noexcept {
-  static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  begin -= reinterpret_cast<std::uintptr_t>(begin) % page;
-  static_cast<void>(madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE));
-}
+constexpr int kSmall = kMegabyte / 16;       // less than this is not worth a look at the heap
 
 /// Huge pages for what the heap has grown by since the last call.
 void prefer_huge_pages_in_heap() noexcept {
   static std::atomic<char*> end_before = nullptr;
   char* const end = static_cast<char*>(sbrk(0));
   char* const begin = end_before.exchange(end);
-  if (begin != nullptr && begin < end) prefer_huge_pages(begin, end);
+  if (begin != nullptr && begin < end) io::prefer_huge_pages(begin, static_cast<std::size_t>(end - begin));
 }
 
 /// Then nothing is reserved that may not be needed.
@@ -64,11 +58,11 @@ void keep_freed_memory() noexcept {
 
 /// The command's own: whoever asks for much is about to touch it.
 void* operator new(std::size_t size) {
-  auto* const block = static_cast<char*>(std::malloc(size == 0 ? 1 : size));
+  void* const block = std::malloc(size == 0 ? 1 : size);
   if (block == nullptr) throw std::bad_alloc();
   if (size >= std::size_t{thalweg::cli::kOwnMapping}) {
-    thalweg::cli::prefer_huge_pages(block, block + size);
-  } else if (size >= std::size_t{thalweg::cli::kMegabyte} / 16) {
+    thalweg::io::prefer_huge_pages(block, size);
+  } else if (size >= std::size_t{thalweg::cli::kSmall}) {
     thalweg::cli::prefer_huge_pages_in_heap();
   }
   return block;

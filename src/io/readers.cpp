@@ -1,6 +1,4 @@
 /// The public readers: each opens the file, finds its format and hands it to the reader of that format.
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -100,17 +98,6 @@ Result<PointTable> parse_points(Opened& opened, const ReadOptions& options) {
 }
 
 }  // namespace
-
-void prefer_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) noexcept {
-#if defined(MADV_HUGEPAGE)
-  constexpr std::size_t kHugePage = std::size_t{1} << 21;
-  if (bytes < 2 * kHugePage) return;
-  // Whole pages of ours alone; if the system refuses, nothing changes but the speed.
-  const std::size_t skip = -reinterpret_cast<std::uintptr_t>(data) % kHugePage;
-  static_cast<void>(
-      ::madvise(static_cast<char*>(data) + skip, (bytes - skip) / kHugePage * kHugePage, MADV_HUGEPAGE));
-#endif
-}
 
 std::optional<Error> find_excess(const InputFile& input, std::uint64_t count) {
   if (count <= kMostPoints) return std::nullopt;

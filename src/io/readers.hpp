@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/grid.hpp"
+#include "io/huge_pages.hpp"
 #include "io/input_file.hpp"
 #include "io/mesh_file.hpp"
 #include "io/point_table.hpp"
@@ -34,9 +35,6 @@ inline constexpr std::uint64_t kMostPoints = 0x1fffffff;
 /// The error of an input with more points than that, if `count` is. Readers ask before they take memory for
 /// so many.
 std::optional<Error> find_excess(const InputFile& input, std::uint64_t count);
-
-/// Asks the system for huge pages, which make it several times cheaper to touch fresh memory. Only a hint.
-void prefer_huge_pages(void* data, std::size_t bytes) noexcept;
 
 /// Makes room for `count` items without touching it. Untouched room costs nothing, so a guess may be
 /// generous.

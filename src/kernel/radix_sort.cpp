@@ -23,9 +23,9 @@ std::uint32_t digit(KeyedRow k, std::uint32_t pass) noexcept {
   return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
 }
 
-/// The stable sort of `rows` by all digits, which goes to `other`; `rows` is lost. Requires: an odd number of
-/// passes.
+/// The stable sort of `rows` by all digits, which goes to `other`; `rows` is lost.
 void sort_into(std::span<KeyedRow> other, std::span<KeyedRow> rows) noexcept {
+  static_assert(kPasses % 2 == 1, "or the result stays in `rows`");
   for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
     std::array<std::uint32_t, kDigits> next{};
     for (const KeyedRow k : rows) ++next[digit(k, pass)];
