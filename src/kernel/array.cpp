@@ -9,7 +9,7 @@ namespace thalweg::detail {
 namespace {
 
 bool is_mapped(std::size_t bytes) noexcept {
-  return bytes >= kHugePage / 2 && can_map_huge_pages();
+  return bytes >= kLeastOfHugePage && can_map_huge_pages();
 }
 
 }  // namespace

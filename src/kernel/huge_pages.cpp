@@ -6,7 +6,6 @@
 #include <unistd.h>
 #endif
 
-#include <algorithm>
 #include <cstdint>
 
 #include "kernel/assert.hpp"
@@ -30,7 +29,8 @@ std::size_t missing(std::size_t bytes, std::size_t page) noexcept {
 /// Whole small pages, and whole huge ones if these are not much more.
 std::size_t length_of(std::size_t bytes) noexcept {
   const std::size_t spare = missing(bytes, kHugePage);
-  return bytes + (spare <= std::max(kHugePage / 2, bytes / 16) ? spare : missing(bytes, small_page()));
+  const bool worthwhile = kHugePage - spare >= kLeastOfHugePage || spare <= bytes / 16;
+  return bytes + (worthwhile ? spare : missing(bytes, small_page()));
 }
 
 std::size_t below_huge_page(const void* memory) noexcept {

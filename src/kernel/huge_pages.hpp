@@ -10,6 +10,10 @@ namespace thalweg::detail {
 /// As x86-64 has them, and ARM with small pages of 4 KB. Where they are larger, only the advantage is lost.
 inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
+/// Less than this is better left in small pages, even where touching one is cheap: 64 of them are touched in
+/// about the time in which a huge one is cleared.
+inline constexpr std::size_t kLeastOfHugePage = kHugePage / 8;
+
 /// Whether memory can be had from the system in huge pages. Not under the address sanitizer, which guards
 /// only what operator new returns.
 bool can_map_huge_pages() noexcept;

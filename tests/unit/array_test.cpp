@@ -20,14 +20,15 @@ constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
 
 TEST(Array, HoldsWhatIsWrittenWhateverItsSize) {
   const std::size_t huge = kHugePage / sizeof(std::uint32_t);
-  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, huge / 2 - 1, huge / 2, huge - 1, huge,
-                                 huge + 1, 3 * huge / 2, 3 * huge / 2 + 1, 40 * huge + 7}) {
+  const std::size_t least = thalweg::detail::kLeastOfHugePage / sizeof(std::uint32_t);
+  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, least - 1, least, huge - 1, huge, huge + 1,
+                                 huge + least - 1, huge + least, 40 * huge + 7}) {
     Array<std::uint32_t> array(size);
     std::iota(array.begin(), array.end(), 0u);
     std::uint64_t sum = 0;
     for (const std::uint32_t value : array) sum += value;
     EXPECT_EQ(sum, std::uint64_t{size} * (size - 1) / 2);
-    if (can_map_huge_pages() && size >= huge / 2) {
+    if (can_map_huge_pages() && size >= least) {
       EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % kHugePage, 0u);
     }
   }
