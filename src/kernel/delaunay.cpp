@@ -58,14 +58,6 @@ std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsig
   return rows;
 }
 
-/// The points of the given rows.
-Array<Point2> gathered(std::span<const Point2> points, std::span<const std::uint32_t> rows,
-                       unsigned threads) {
-  Array<Point2> sites(rows.size());
-  parallel_for(rows.size(), threads, [&](std::size_t i) { sites[i] = points[rows[i]]; });
-  return sites;
-}
-
 }  // namespace
 
 Result<Triangulation> delaunay_of_sites(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
@@ -100,9 +92,9 @@ Result<Triangulation> delaunay(std::span<const Point2> points, const DelaunayOpt
     order.rows.resize(order.site_count());
     order.starts = std::vector<std::uint32_t>();
   }
-  Result<detail::GhostedTriangulation> mesh =
-      detail::triangulate(detail::gathered(points, order.rows, threads), order.keys, threads);
+  Result<detail::GhostedTriangulation> mesh = detail::triangulate(order.sites, order.keys, threads);
   if (!mesh) return std::move(mesh).error();
+  order.sites = detail::Array<Point2>();
   order.keys = detail::Array<std::uint32_t>();
   Result<Triangulation> result = detail::without_ghosts(*std::move(mesh), threads);
   if (!result) return result;

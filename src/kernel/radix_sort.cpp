@@ -15,26 +15,38 @@ namespace {
 /// Fewer rows than these a thread are not worth one.
 constexpr std::size_t kThreadRows = 1u << 16;
 
-constexpr std::uint32_t kDigitBits = 11;
-constexpr std::uint32_t kDigits = 1u << kDigitBits;
-constexpr std::uint32_t kPasses = 3;
+/// Fewer than these are compared.
+constexpr std::size_t kFewRows = 96;
+/// From as many on the counts of long digits are worth a pass less.
+constexpr std::size_t kManyRows = 1u << 13;
 
-std::uint32_t digit(KeyedRow k, std::uint32_t pass) noexcept {
-  return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
+constexpr std::uint32_t passes_of(std::uint32_t digit_bits) noexcept {
+  return (32 + digit_bits - 1) / digit_bits;
 }
 
-/// The stable sort of `rows` by all digits, which goes to `other`; `rows` is lost.
-void sort_into(std::span<KeyedRow> other, std::span<KeyedRow> rows) noexcept {
-  static_assert(kPasses % 2 == 1, "or the result stays in `rows`");
-  for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+/// The stable sort by key, from `rows` to `other` and back, a pass for each digit: it ends in `other` after
+/// an odd number of passes, else in `rows`.
+template <std::uint32_t kDigitBits>
+void sort_by_digits(std::span<KeyedRow> rows, std::span<KeyedRow> other) noexcept {
+  constexpr std::uint32_t kDigits = 1u << kDigitBits;
+  for (std::uint32_t pass = 0; pass < passes_of(kDigitBits); ++pass) {
+    const auto digit = [pass](KeyedRow k) {
+      return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
+    };
     std::array<std::uint32_t, kDigits> next{};
-    for (const KeyedRow k : rows) ++next[digit(k, pass)];
+    for (const KeyedRow k : rows) ++next[digit(k)];
     std::uint32_t place = 0;
     for (std::uint32_t& count : next) place += std::exchange(count, place);
-    for (const KeyedRow k : rows) other[next[digit(k, pass)]++] = k;
+    for (const KeyedRow k : rows) other[next[digit(k)]++] = k;
     std::swap(rows, other);
   }
 }
+
+/// Digits of many rows: three passes.
+constexpr std::uint32_t kLongDigit = 11;
+/// Digits of some: four passes.
+constexpr std::uint32_t kShortDigit = 8;
+static_assert(passes_of(kLongDigit) % 2 == 1 && passes_of(kShortDigit) % 2 == 0, "where results are");
 
 /// Where the ranges of keys begin after the first: at quantiles of a sample. It is taken by the golden ratio,
 /// for steps of one length may meet the same column of a grid again and again.
@@ -85,21 +97,25 @@ std::vector<std::uint32_t> share_out(std::span<const KeyedRow> rows, std::span<K
 }  // namespace
 
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
-  if (keyed.size() < 4 * kDigits) {
+  if (keyed.size() < kFewRows) {
     std::sort(keyed.begin(), keyed.end());
     return;
   }
   Array<KeyedRow> other(keyed.size());
+  if (keyed.size() < kManyRows) {
+    sort_by_digits<kShortDigit>(keyed, other);
+    return;
+  }
   const std::size_t ranges = parts_of(keyed.size(), kThreadRows, threads);
   if (ranges == 1) {
-    sort_into(other, keyed);
+    sort_by_digits<kLongDigit>(keyed, other);
     keyed.swap(other);
     return;
   }
   const std::vector<std::uint32_t> begins = share_out(keyed, other, ranges);
   parallel_parts(ranges, ranges, [&](std::size_t range, std::size_t, std::size_t) {
     const std::size_t begin = begins[range], size = begins[range + 1] - begin;
-    sort_into(std::span(keyed).subspan(begin, size), std::span(other).subspan(begin, size));
+    sort_by_digits<kLongDigit>(std::span(other).subspan(begin, size), std::span(keyed).subspan(begin, size));
   });
 }
 

@@ -2,13 +2,12 @@
 #include "kernel/spatial_order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "kernel/parallel.hpp"
-#include "kernel/prefetch.hpp"
 #include "kernel/radix_sort.hpp"
 
 namespace thalweg::detail {
@@ -85,96 +84,122 @@ struct Grid {
   }
 };
 
-/// Sorts the rows of a cell by their points, then by number. Returns the number of distinct points.
-std::uint32_t sort_lexicographically(std::span<std::uint32_t> rows, std::span<const Point2> points) {
-  struct Placed {
-    Point2 point;
-    std::uint32_t row;
-  };
-  std::array<Placed, kCellSites> few;  // the rule: what is nearby in the cell is far apart among the points
-  std::vector<Placed> many(rows.size() > few.size() ? rows.size() : 0);
-  const std::span<Placed> placed = many.empty() ? std::span(few).first(rows.size()) : std::span(many);
-  std::transform(rows.begin(), rows.end(), placed.begin(), [points](std::uint32_t row) {
-    return Placed{points[row], row};
-  });
-  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-    if (lexicographically_less(a.point, b.point)) return true;
-    return a.point == b.point && a.row < b.row;
-  });
-  std::uint32_t distinct = 0;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    rows[i] = placed[i].row;
-    distinct += i == 0 || placed[i].point != placed[i - 1].point;
+/// Points of one cell of a grid, and the rows they come from.
+struct Cell {
+  std::span<std::uint32_t> rows;
+  std::span<Point2> points;
+
+  std::size_t size() const noexcept { return rows.size(); }
+  Cell part(std::size_t begin, std::size_t end) const noexcept {
+    return {rows.subspan(begin, end - begin), points.subspan(begin, end - begin)};
   }
+};
+
+/// By points, then by rows.
+bool precedes(Point2 p, std::uint32_t p_row, Point2 q, std::uint32_t q_row) noexcept {
+  return lexicographically_less(p, q) || (p == q && p_row < q_row);
+}
+
+/// Sorts a cell of at most kCellSites points. Returns how many are distinct.
+std::uint32_t sort_few(const Cell& cell) noexcept {
+  for (std::size_t i = 1; i < cell.size(); ++i) {
+    const Point2 point = cell.points[i];
+    const std::uint32_t row = cell.rows[i];
+    std::size_t place = i;
+    for (; place > 0 && precedes(point, row, cell.points[place - 1], cell.rows[place - 1]); --place) {
+      cell.points[place] = cell.points[place - 1];
+      cell.rows[place] = cell.rows[place - 1];
+    }
+    cell.points[place] = point;
+    cell.rows[place] = row;
+  }
+  std::uint32_t distinct = 1;
+  for (std::size_t i = 1; i < cell.size(); ++i) distinct += cell.points[i] != cell.points[i - 1];
   return distinct;
 }
 
-/// Orders the rows of one cell: in the cell's own box, cell by cell, if they are many sites, else
-/// lexicographically. Returns the number of distinct points.
+/// Orders a cell as the given positions in it are.
+void arrange(const Cell& cell, std::span<const std::uint32_t> positions) {
+  const std::vector<Point2> points(cell.points.begin(), cell.points.end());
+  const std::vector<std::uint32_t> rows(cell.rows.begin(), cell.rows.end());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    cell.points[i] = points[positions[i]];
+    cell.rows[i] = rows[positions[i]];
+  }
+}
+
+/// Sorts a cell, unless more than `most` points are distinct. Returns how many are.
+std::uint32_t sort_many(const Cell& cell, std::size_t most) {
+  std::vector<std::uint32_t> sorted(cell.size());
+  std::iota(sorted.begin(), sorted.end(), 0u);
+  std::sort(sorted.begin(), sorted.end(), [&cell](std::uint32_t i, std::uint32_t j) {
+    return precedes(cell.points[i], cell.rows[i], cell.points[j], cell.rows[j]);
+  });
+  std::uint32_t distinct = 1;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    distinct += cell.points[sorted[i]] != cell.points[sorted[i - 1]];
+  if (distinct <= most) arrange(cell, sorted);
+  return distinct;
+}
+
+/// Orders one cell: in its own box, cell by cell, if it has many sites, else lexicographically. Returns the
+/// number of distinct points.
 ///
 /// Whether they are many must not depend on duplicates. More different keys than kCellSites prove it cheaply.
-std::uint32_t order_cell(std::span<std::uint32_t> rows, std::span<const Point2> points, int level) {
-  if (rows.size() <= kCellSites || level == kKeyLevels) return sort_lexicographically(rows, points);
-  Array<KeyedRow> keyed(rows.size());
-  {
-    std::vector<Point2> gathered(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) gathered[i] = points[rows[i]];
-    const Grid grid(box_of(gathered, 1));
-    for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = keyed_row(grid.key(gathered[i]), rows[i]);
-  }
+std::uint32_t order_cell(const Cell& cell, int level) {
+  if (cell.size() <= kCellSites) return sort_few(cell);
+  if (level == kKeyLevels) return sort_many(cell, cell.size());
+  Array<KeyedRow> keyed(cell.size());
+  const Grid grid(box_of(cell.points, 1));
+  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = keyed_row(grid.key(cell.points[i]), i);
   radix_sort(keyed, 1);
   std::uint32_t different = 1;
   for (std::size_t i = 1; i < keyed.size(); ++i) different += key_of(keyed[i]) != key_of(keyed[i - 1]);
   if (different <= kCellSites) {
-    const std::uint32_t distinct = sort_lexicographically(rows, points);
+    const std::uint32_t distinct = sort_many(cell, kCellSites);
     if (distinct <= kCellSites) return distinct;
   }
-  std::transform(keyed.begin(), keyed.end(), rows.begin(), row_of);
+  std::vector<std::uint32_t> positions(cell.size());
+  std::transform(keyed.begin(), keyed.end(), positions.begin(), row_of);
+  arrange(cell, positions);
   std::uint32_t distinct = 0;
   for_each_run(keyed, [&](std::size_t begin, std::size_t end) {
-    distinct += end - begin == 1 ? 1 : order_cell(rows.subspan(begin, end - begin), points, level + 1);
+    distinct += end - begin == 1 ? 1 : order_cell(cell.part(begin, end), level + 1);
   });
   return distinct;
 }
 
-/// Orders the rows within every cell. Returns whether any two points are equal.
-bool order_cells(std::span<std::uint32_t> rows, std::span<const std::uint32_t> keys,
-                 std::span<const Point2> points, std::size_t parts) {
+/// Orders what is within every cell. Returns whether any two points are equal.
+bool order_cells(SpatialOrder& order, unsigned threads) {
+  const Cell all{order.rows, order.sites};
+  const std::span<const std::uint32_t> keys = order.keys;
   std::atomic<bool> duplicates{false};
-  parallel_parts(rows.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
-    // A cell belongs to the part in which it begins.
-    const auto in_earlier_part = [&](std::size_t i) { return i > 0 && keys[i] == keys[i - 1]; };
-    // The points of a cell lie all over memory: those of a coming one are asked for in time.
-    const auto approach = [&](std::size_t i) {
-      constexpr std::size_t kAhead = 64;
-      const std::size_t coming = i + kAhead;
-      if (coming + 1 < rows.size() && (keys[coming] == keys[coming - 1] || keys[coming] == keys[coming + 1]))
-        prefetch(&points[rows[coming]]);
-    };
-    while (begin < end && in_earlier_part(begin)) ++begin;
-    while (begin < end) {
-      std::size_t next = begin + 1;
-      approach(begin);
-      for (; next < rows.size() && keys[next] == keys[begin]; ++next) approach(next);
-      if (next - begin > 1) {
-        const auto cell = rows.subspan(begin, next - begin);
-        if (order_cell(cell, points, 1) < cell.size()) duplicates = true;
-      }
-      begin = next;
-    }
-  });
+  parallel_parts(all.size(), parts_of(all.size(), kThreadPoints, threads),
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   // A cell belongs to the part in which it begins.
+                   while (begin < end && begin > 0 && keys[begin] == keys[begin - 1]) ++begin;
+                   while (begin < end) {
+                     std::size_t next = begin + 1;
+                     while (next < keys.size() && keys[next] == keys[begin]) ++next;
+                     if (next - begin > 1 && order_cell(all.part(begin, next), 1) < next - begin)
+                       duplicates = true;
+                     begin = next;
+                   }
+                 });
   return duplicates;
 }
 
-/// Notes where the rows of each site start, and keeps one key a site.
-void part_sites(SpatialOrder& order, std::span<const Point2> points) {
+/// Notes where the rows of each site start, and keeps one key and one point a site.
+void part_sites(SpatialOrder& order) {
   std::uint32_t sites = 0;
   for (std::uint32_t i = 0; i < order.rows.size(); ++i) {
-    if (i > 0 && points[order.rows[i]] == points[order.rows[i - 1]]) continue;
+    if (i > 0 && order.sites[i] == order.sites[sites - 1]) continue;
     order.starts.push_back(i);
-    order.keys[sites++] = order.keys[i];
+    order.keys[sites] = order.keys[i];
+    order.sites[sites++] = order.sites[i];
   }
   order.keys.resize(sites);
+  order.sites.resize(sites);
   order.starts.push_back(static_cast<std::uint32_t>(order.rows.size()));
 }
 
@@ -198,13 +223,14 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
 
   order.rows = Array<std::uint32_t>(points.size());
   order.keys = Array<std::uint32_t>(points.size());
+  order.sites = Array<Point2>(points.size());
   parallel_for(points.size(), threads, [&](std::size_t i) {
     order.rows[i] = row_of(keyed[i]);
     order.keys[i] = key_of(keyed[i]);
+    order.sites[i] = points[row_of(keyed[i])];
   });
   keyed = Array<KeyedRow>();
-  if (order_cells(order.rows, order.keys, points, parts_of(points.size(), kThreadPoints, threads)))
-    part_sites(order, points);
+  if (order_cells(order, threads)) part_sites(order);
   return order;
 }
 

@@ -28,6 +28,7 @@ struct SpatialOrder {
   std::vector<std::uint32_t>
       starts;                 ///< site s is rows[starts[s] .. starts[s+1]); empty if all points are distinct
   Array<std::uint32_t> keys;  ///< the key of each site in the box of all, ascending
+  Array<Point2> sites;        ///< each as its lowest row has it
 
   bool distinct() const noexcept { return starts.empty(); }
   std::uint32_t site_count() const noexcept { return static_cast<std::uint32_t>(keys.size()); }

@@ -104,11 +104,8 @@ Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k
   }
   const SpatialOrder order = spatial_order(points, options.threads);
   std::vector<std::uint32_t> rows(order.site_count());
-  std::vector<Point2> sites(rows.size());
-  for (std::uint32_t s = 0; s < rows.size(); ++s) {
-    rows[s] = order.first_row(s);
-    sites[s] = points[rows[s]];
-  }
+  for (std::uint32_t s = 0; s < rows.size(); ++s) rows[s] = order.first_row(s);
+  const std::span<const Point2> sites = order.sites;
   if (k == 0 || k > sites.size()) {
     return Error{k == 0 ? ErrorCode::invalid_argument : ErrorCode::too_few_points,
                  "the order of a Voronoi diagram of " + std::to_string(sites.size()) +

@@ -65,10 +65,9 @@ SiteIndex::SiteIndex(std::span<const Point2> sites, const Triangulation* delauna
     // The order in the sample's own bounding box may differ from that in the box of all.
     const SpatialOrder order = spatial_order(sample, 1);
     Level level;
-    for (const std::uint32_t i : order.rows) {
-      level.sites.push_back(sample[i]);
+    level.sites.assign(order.sites.begin(), order.sites.end());
+    for (const std::uint32_t i : order.rows)
       level.below.push_back(static_cast<std::uint32_t>(kStride / 2 + kStride * i));
-    }
     const Result<Triangulation> mesh = delaunay_of_sites(level.sites, order.keys, 1);
     mesh ? join(level, *mesh) : join_in_line(level);
     levels_.push_back(std::move(level));

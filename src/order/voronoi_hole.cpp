@@ -57,9 +57,7 @@ void HoleFiller::triangulate(std::span<const HoleSide> sides) {
     points.push_back(sites_[side.site]);
   }
   const SpatialOrder order = spatial_order(points, 1);
-  std::vector<Point2> sorted(points.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = points[order.rows[i]];
-  Result<Triangulation> mesh = delaunay_of_sites(sorted, order.keys, 1);
+  Result<Triangulation> mesh = delaunay_of_sites(order.sites, order.keys, 1);
   way_ = mesh ? Way::mesh : Way::line;
   if (mesh) mesh_ = std::move(*mesh).renamed(order.rows, static_cast<std::uint32_t>(points.size()));
 }

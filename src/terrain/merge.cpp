@@ -73,6 +73,7 @@ void merge_group(std::span<const Point3> points, std::span<const std::uint32_t> 
                  MergedSites& sites) {
   const std::uint32_t row = chosen_row(points, group, policy);
   sites.row.push_back(row);
+  sites.xy.push_back({points[row].x, points[row].y});
   sites.z.push_back(points[row].z);
   if (group.size() == 1) return;
   for (const std::uint32_t other : group) {
@@ -100,19 +101,20 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
   }
   if (auto finite = require_finite(points, threads); !finite) return std::move(finite).error();
 
-  const auto place_of = [&](std::size_t row) { return Point2{points[row].x, points[row].y}; };
   MergedSites sites;
   {
     Array<Point2> xy(points.size());
-    parallel_for(points.size(), threads, [&](std::size_t i) { xy[i] = place_of(i); });
+    parallel_for(points.size(), threads, [&](std::size_t i) { xy[i] = {points[i].x, points[i].y}; });
     SpatialOrder order = spatial_order(xy, threads);
     const std::uint32_t count = order.site_count();
     if (order.distinct()) {
       sites.row = std::move(order.rows);
+      sites.xy = std::move(order.sites);
       sites.z = Array<double>(count);
       parallel_for(count, threads, [&](std::size_t s) { sites.z[s] = points[sites.row[s]].z; });
     } else {
       sites.row.reserve(count);
+      sites.xy.reserve(count);
       sites.z.reserve(count);
       for (std::uint32_t s = 0; s < count; ++s) {
         const std::span<const std::uint32_t> group =
@@ -125,8 +127,6 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
     }
     sites.keys = std::move(order.keys);
   }
-  sites.xy = Array<Point2>(sites.row.size());
-  parallel_for(sites.row.size(), threads, [&](std::size_t s) { sites.xy[s] = place_of(sites.row[s]); });
   return sites;
 }
 

@@ -58,6 +58,7 @@ RC_GTEST_PROP(SpatialOrder, HoldsEveryRowOnceAndEqualPointsTogether, ()) {
     groups[{points[i].x + 0.0, points[i].y + 0.0}].push_back(i);
   RC_ASSERT(groups.size() == order.site_count());
   RC_ASSERT(order.distinct() == (groups.size() == points.size()));
+  RC_ASSERT(std::ranges::equal(order.sites, sites_in_order(points, order)));
   for (std::uint32_t s = 0; s < order.site_count(); ++s) {
     const Point2 p = points[order.first_row(s)];
     const auto begin = order.rows.begin() + (order.distinct() ? s : order.starts[s]);

@@ -39,7 +39,7 @@ void expect_sorted(const Array<KeyedRow>& rows) {
 }
 
 TEST(RadixSort, SortsByKeyThenByRowForAnyNumberOfThreads) {
-  for (const std::uint32_t count : {0u, 1u, 100u, 8191u, 8192u, 300'000u}) {
+  for (const std::uint32_t count : {0u, 1u, 95u, 96u, 1000u, 8191u, 8192u, 300'000u}) {
     expect_sorted(rows_with_keys(count, 1000));
   }
 }
