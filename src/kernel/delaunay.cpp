@@ -81,6 +81,7 @@ Result<Triangulation> delaunay(std::span<const Point2> points, const DelaunayOpt
                  std::to_string(points.size()) + " points are more than ids can number"};
   }
   const unsigned threads = detail::resolve_threads(options.threads);
+  const detail::TeamScope team(threads);
   if (std::vector<std::uint32_t> rows = detail::rows_not_finite(points, threads); !rows.empty()) {
     std::string message =
         std::to_string(rows.size()) + " of the points have a coordinate that is not a finite number";

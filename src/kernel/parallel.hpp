@@ -7,10 +7,9 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <new>
-#include <system_error>
 #include <thread>
-#include <vector>
+
+#include "kernel/thread_team.hpp"
 
 namespace thalweg::detail {
 
@@ -20,8 +19,9 @@ inline unsigned resolve_threads(unsigned asked) noexcept {
 }
 
 /// Calls work(begin, end) for consecutive chunks of [0, count), each chunk in one thread; `work` is made anew
-/// by make_worker() in every thread, so that it can own scratch memory. The calling thread takes part.
-/// Exceptions (std::bad_alloc) reach the caller after all threads have stopped.
+/// by make_worker() in every thread, so that it can own scratch memory. The calling thread takes part; the
+/// others are those of its TeamScope, or else made for this. Exceptions (std::bad_alloc) reach the caller
+/// after all threads have stopped.
 template <class MakeWorker>
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, MakeWorker&& make_worker) {
   std::atomic<std::size_t> next{0};
@@ -40,18 +40,12 @@ void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, Mak
     }
   };
   const std::size_t chunks = (count + chunk - 1) / chunk;
-  const auto helpers = static_cast<unsigned>(std::min<std::size_t>(resolve_threads(threads), chunks));
-  std::vector<std::thread> pool;
-  pool.reserve(helpers);  // so that nothing is thrown once threads run, but by a thread that cannot start
-  try {
-    for (unsigned i = 1; i < helpers; ++i) pool.emplace_back(run);
-  } catch (const std::system_error&) {
-    // No more threads to be had: those that run, and this one, do the work.
-  } catch (const std::bad_alloc&) {
-    // The same for want of memory.
+  const auto workers = static_cast<unsigned>(std::min<std::size_t>(resolve_threads(threads), chunks));
+  if (workers > 1) {
+    TeamScope(workers).team().share(run, workers - 1);
+  } else {
+    run();
   }
-  run();
-  for (std::thread& t : pool) t.join();
   if (failure) std::rethrow_exception(failure);
 }
 

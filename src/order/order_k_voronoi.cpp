@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/delaunay_sites.hpp"
+#include "kernel/parallel.hpp"
 #include "kernel/spatial_order.hpp"
 #include "order/voronoi_builder.hpp"
 
@@ -102,6 +103,7 @@ Result<OrderKVoronoi> order_k_voronoi(std::span<const Point2> points, unsigned k
         std::to_string(culprits.size()) + " of the points have a coordinate that is not a finite number",
         std::move(culprits)};
   }
+  const TeamScope team(resolve_threads(options.threads));
   const SpatialOrder order = spatial_order(points, options.threads);
   std::vector<std::uint32_t> rows(order.site_count());
   for (std::uint32_t s = 0; s < rows.size(); ++s) rows[s] = order.first_row(s);

@@ -168,6 +168,7 @@ SweepRow sweep_row(const Surface& surface, std::span<const detail::Exit> all_exi
 
 Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOptions& options) {
   const Watch watch = watch_of(options);
+  const detail::TeamScope team(watch.threads);
   auto start = std::chrono::steady_clock::now();
   watch.report("triangulating", 0);
   auto merged = detail::merge_sites(points, options.duplicates, watch.threads);
@@ -232,6 +233,7 @@ Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigne
                  {}};
   }
   const Watch watch = watch_of(options);
+  const detail::TeamScope team(watch.threads);
   auto merged = detail::merge_sites(points, options.duplicates, watch.threads);
   if (!merged) return std::move(merged).error();
   MergedSites sites = *std::move(merged);
