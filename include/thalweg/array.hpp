@@ -10,7 +10,7 @@
 
 namespace thalweg::detail {
 
-/// Memory of so many elements of so many bytes: of operator new, but from 256 KB on straight from the
+/// Memory of so many elements of so many bytes: of operator new, but from 128 KB on straight from the
 /// system in huge pages, where it has them. Touching it for the first time is then up to fifty times cheaper,
 /// and so is reaching far into it. Throws std::bad_alloc: out of line, so that users may compile without
 /// exceptions.
