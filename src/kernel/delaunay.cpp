@@ -10,6 +10,7 @@
 
 #include "kernel/delaunay_sites.hpp"
 #include "kernel/divide_and_conquer.hpp"
+#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/spatial_order.hpp"
 #include "kernel/without_ghosts.hpp"
@@ -62,6 +63,7 @@ std::vector<std::uint32_t> rows_not_finite(std::span<const Point2> points, unsig
 
 Result<Triangulation> delaunay_of_sites(std::span<const Point2> sites, std::span<const std::uint32_t> keys,
                                         unsigned threads) {
+  const KeptPages pages;
   Result<GhostedTriangulation> mesh = triangulate(sites, keys, threads);
   if (!mesh) return std::move(mesh).error();
   return without_ghosts(*std::move(mesh), threads);
@@ -82,6 +84,7 @@ Result<Triangulation> delaunay(std::span<const Point2> points, const DelaunayOpt
   }
   const unsigned threads = detail::resolve_threads(options.threads);
   const detail::TeamScope team(threads);
+  const detail::KeptPages pages;
   if (std::vector<std::uint32_t> rows = detail::rows_not_finite(points, threads); !rows.empty()) {
     std::string message =
         std::to_string(rows.size()) + " of the points have a coordinate that is not a finite number";

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #endif
 
+#include <array>
 #include <cstdint>
 
 #include "kernel/assert.hpp"
@@ -37,7 +38,62 @@ std::size_t below_huge_page(const void* memory) noexcept {
   return missing(reinterpret_cast<std::uintptr_t>(memory), kHugePage);
 }
 
+/// Ranges of whole huge pages that were given back.
+class Kept {
+ public:
+  /// The first `bytes` of a range, or nullptr. What is left of its last huge page goes to the system.
+  char* take(std::size_t bytes) noexcept {
+    const std::size_t whole = bytes + missing(bytes, kHugePage);
+    for (std::size_t i = 0; i < count_; ++i) {
+      Range& range = ranges_[i];
+      if (range.bytes < whole) continue;
+      char* const memory = range.begin;
+      if (whole > bytes) munmap(memory + bytes, whole - bytes);
+      range = {memory + whole, range.bytes - whole};
+      if (range.bytes == 0) range = ranges_[--count_];
+      return memory;
+    }
+    return nullptr;
+  }
+
+  /// Keeps the whole huge pages of a range.
+  void give(char* memory, std::size_t bytes) noexcept {
+    const std::size_t rest = bytes % kHugePage;
+    if (rest > 0) munmap(memory + (bytes - rest), rest);
+    if (bytes == rest) return;
+    if (count_ == ranges_.size()) release();
+    ranges_[count_++] = {memory, bytes - rest};
+  }
+
+  void release() noexcept {
+    while (count_ > 0) {
+      --count_;
+      munmap(ranges_[count_].begin, ranges_[count_].bytes);
+    }
+  }
+
+  unsigned scopes = 0;  ///< of KeptPages
+
+ private:
+  struct Range {
+    char* begin;
+    std::size_t bytes;
+  };
+  std::array<Range, 16> ranges_{};
+  std::size_t count_ = 0;
+};
+
+thread_local Kept kept;
+
 }  // namespace
+
+KeptPages::KeptPages() noexcept {
+  ++kept.scopes;
+}
+
+KeptPages::~KeptPages() {
+  if (--kept.scopes == 0) kept.release();
+}
 
 bool can_map_huge_pages() noexcept {
 #if defined(__has_feature)
@@ -52,6 +108,8 @@ bool can_map_huge_pages() noexcept {
 void* map_huge_pages(std::size_t bytes) noexcept {
   if (bytes > static_cast<std::size_t>(-1) / 2) return nullptr;
   const std::size_t length = length_of(bytes);
+  if (char* const memory = kept.take(length)) return memory;
+  kept.release();
   void* const mapping =
       mmap(nullptr, length + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapping == MAP_FAILED) return nullptr;
@@ -67,10 +125,17 @@ void* map_huge_pages(std::size_t bytes) noexcept {
 
 void unmap_huge_pages(void* memory, std::size_t bytes) noexcept {
   THALWEG_ASSERT(below_huge_page(memory) == 0);
-  munmap(memory, length_of(bytes));
+  if (kept.scopes > 0) {
+    kept.give(static_cast<char*>(memory), length_of(bytes));
+  } else {
+    munmap(memory, length_of(bytes));
+  }
 }
 
 #else
+
+KeptPages::KeptPages() noexcept = default;
+KeptPages::~KeptPages() = default;
 
 bool can_map_huge_pages() noexcept {
   return false;

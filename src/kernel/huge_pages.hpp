@@ -24,4 +24,15 @@ void* map_huge_pages(std::size_t bytes) noexcept;
 /// Gives back what map_huge_pages(bytes) returned.
 void unmap_huge_pages(void* memory, std::size_t bytes) noexcept;
 
+/// While one exists, what this thread gives back is kept for what it asks for next: pages need not be cleared
+/// again. All goes to the system as soon as nothing that is kept is large enough, so that arrays never take
+/// more than they once needed. Not for long work: what is kept is lost to all others.
+class KeptPages {
+ public:
+  KeptPages() noexcept;
+  ~KeptPages();
+  KeptPages(const KeptPages&) = delete;
+  KeptPages& operator=(const KeptPages&) = delete;
+};
+
 }  // namespace thalweg::detail

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "kernel/huge_pages.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/spatial_order.hpp"
 
@@ -103,6 +104,7 @@ Result<MergedSites> merge_sites(std::span<const Point3> points, DuplicatePolicy 
 
   MergedSites sites;
   {
+    const KeptPages pages;
     Array<Point2> xy(points.size());
     parallel_for(points.size(), threads, [&](std::size_t i) { xy[i] = {points[i].x, points[i].y}; });
     SpatialOrder order = spatial_order(xy, threads);

@@ -1,4 +1,4 @@
-/// Array: memory that is not zeroed, of operator new or in huge pages by its size.
+/// Array: memory that is not zeroed, of operator new or in huge pages by its size; and pages that are kept.
 #include "thalweg/array.hpp"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <vector>
 
 #include "kernel/huge_pages.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 using thalweg::detail::Array;
 using thalweg::detail::can_map_huge_pages;
+using thalweg::detail::KeptPages;
 using thalweg::detail::kHugePage;
 
 constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
@@ -21,8 +23,8 @@ constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
 TEST(Array, HoldsWhatIsWrittenWhateverItsSize) {
   const std::size_t huge = kHugePage / sizeof(std::uint32_t);
   const std::size_t least = thalweg::detail::kLeastOfHugePage / sizeof(std::uint32_t);
-  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, least - 1, least, huge - 1, huge, huge + 1,
-                                 huge + least - 1, huge + least, 40 * huge + 7}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, least - 1, least, huge - 1, huge,
+                                 huge + 1, huge + least - 1, huge + least, 40 * huge + 7}) {
     Array<std::uint32_t> array(size);
     std::iota(array.begin(), array.end(), 0u);
     std::uint64_t sum = 0;
@@ -49,6 +51,49 @@ TEST(Array, LargeOnesAreApart) {
   for (std::size_t i = 0; i < arrays.size(); i += 2) arrays[i] = Array<std::uint8_t>();
   for (std::uint8_t i = 1; i < 20; i += 2) {
     EXPECT_EQ(arrays[i], Array<std::uint8_t>(kHugePage + 100'000u * i, i));
+  }
+}
+
+/// An array of so many bytes, all of them `value`.
+Array<std::uint8_t> filled(std::size_t bytes, std::uint8_t value) {
+  return Array<std::uint8_t>(bytes, value);
+}
+
+TEST(KeptPages, ServeWhatIsAskedForNext) {
+  if (!can_map_huge_pages()) return;
+  const KeptPages outer;
+  const void* first = nullptr;
+  {
+    const Array<std::uint8_t> array = filled(4 * kHugePage, 1);
+    first = array.data();
+  }
+  const KeptPages inner;
+  const Array<std::uint8_t> a = filled(kHugePage + kHugePage / 2, 2), b = filled(2 * kHugePage, 3);
+  EXPECT_EQ(a.data(), first);
+  EXPECT_EQ(b.data(), a.data() + 2 * kHugePage);
+}
+
+TEST(KeptPages, ServeArraysOfAnySizeInAnyOrder) {
+  std::minstd_rand random(5);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<Array<std::uint8_t>> survivors;
+    {
+      const KeptPages pages;
+      std::vector<Array<std::uint8_t>> arrays(6);
+      for (std::uint8_t i = 0; i < 100; ++i) {
+        Array<std::uint8_t>& array = arrays[random() % arrays.size()];
+        const std::size_t bytes = 1 + random() % (random() % 4 == 0 ? 5 * kHugePage : kHugePage / 4);
+        if (random() % 2 == 0) array = Array<std::uint8_t>();
+        array = filled(bytes, i);
+        for (const auto& other : arrays)
+          ASSERT_TRUE(other.empty() ||
+                      (other.front() == other.back() && other.front() == other[other.size() / 2]));
+      }
+      survivors.push_back(std::move(arrays[0]));
+      survivors.push_back(std::move(arrays[3]));
+    }
+    for (const auto& array : survivors)
+      ASSERT_EQ(array, filled(array.size(), array.empty() ? std::uint8_t{0} : array.front()));
   }
 }
 
