@@ -84,7 +84,7 @@ class SharedBuild {
   /// Of sites in a piece, if more are not in one cell: some pieces a thread, so that none waits long for the
   /// last; all for a single thread.
   std::size_t most_sites() const noexcept {
-    constexpr std::size_t kPiecesOfThread = 8;
+    constexpr std::size_t kPiecesOfThread = 16;
     if (sharing_.threads == 1) return keys_.size();
     return std::max<std::size_t>(sharing_.least_piece, keys_.size() / kPiecesOfThread / sharing_.threads);
   }

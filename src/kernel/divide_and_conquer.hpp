@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kMaxSites = 0x1fffffffu;
 /// done.
 struct Sharing {
   unsigned threads = 1;
-  std::uint32_t least_piece = 1u << 13;  ///< sites of a piece, at least; 6 or more, which are no more cut
+  std::uint32_t least_piece = 1u << 12;  ///< sites of a piece, at least; 6 or more, which are no more cut
   std::size_t least_edges = 8;           ///< so many of edges_across make a merge worth a SeamSplit
 };
 
