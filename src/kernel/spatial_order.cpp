@@ -227,8 +227,8 @@ SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   parallel_for(points.size(), threads, [&](std::size_t i) {
     order.rows[i] = row_of(keyed[i]);
     order.keys[i] = key_of(keyed[i]);
-    order.sites[i] = points[row_of(keyed[i])];
   });
+  parallel_for(points.size(), threads, [&](std::size_t i) { order.sites[i] = points[order.rows[i]]; });
   keyed = Array<KeyedRow>();
   if (order_cells(order, threads)) part_sites(order);
   return order;
