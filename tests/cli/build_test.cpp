@@ -261,10 +261,10 @@ TEST_F(CliBuild, RefusesWhatNeedsMoreMemoryThanAllowed) {
 
 TEST_F(CliBuild, CountsTheMemoryOfAReport) {
   write("points.xyz", noise(20'000, 13));
-  EXPECT_EQ(run({"build", "points.xyz", "-m", "delaunay", "--max-memory", "22M"}).code, 0);
+  EXPECT_EQ(run({"build", "points.xyz", "-m", "delaunay", "--max-memory", "28M"}).code, 0);
   for (const char* report : {"a.html", "a.svg"}) {
     const Outcome outcome =
-        run({"build", "points.xyz", "-m", "delaunay", "--max-memory", "22M", "--report", report});
+        run({"build", "points.xyz", "-m", "delaunay", "--max-memory", "28M", "--report", report});
     EXPECT_EQ(outcome.code, 5) << report;
     EXPECT_FALSE(exists(report));
   }
