@@ -10,10 +10,11 @@ namespace thalweg::io {
 namespace {
 
 /// Larger numbers are read, so that the library says how large they may be; differences must not overflow.
-constexpr std::int64_t kMost = std::int64_t{1} << 53;
+constexpr std::int64_t kMostWhole = std::int64_t{1} << 53;
 
 bool read_point(TextScanner& scanner, LatticePoint& point, const char* x, const char* y) {
-  return scanner.whole(point.x, -kMost, kMost, x) && scanner.whole(point.y, -kMost, kMost, y);
+  return scanner.whole(point.x, -kMostWhole, kMostWhole, x) &&
+         scanner.whole(point.y, -kMostWhole, kMostWhole, y);
 }
 
 bool read_segment(TextScanner& scanner, LatticeSegment& segment) {
