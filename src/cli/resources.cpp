@@ -43,7 +43,7 @@ std::uint64_t estimate_build_memory(std::uint64_t points, Method method, bool re
   constexpr std::uint64_t kFlip = 308;
   constexpr std::uint64_t kReport = 440;  // after the method, whose own memory is free again
   const std::uint64_t build = method == Method::flip ? kFlip : kBest;
-  // What arrays leave empty of their huge pages, more or less: the smaller ones have none.
+  // What arrays leave empty of their huge pages, measured too: less for few points, whose arrays have none.
   const std::uint64_t most_empty = std::uint64_t{method == Method::flip ? 44u : 18u} << 20;
   const std::uint64_t empty = std::min(most_empty, 2 * points * build);
   return kFixed + empty + points * (kInput + (report ? std::max(build, kReport) : build));

@@ -10,8 +10,6 @@ namespace thalweg::io {
 
 void prefer_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) noexcept {
 #if defined(MADV_HUGEPAGE)
-  constexpr std::size_t kWorthwhile = std::size_t{1} << 22;
-  if (bytes < kWorthwhile) return;
   static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
   const std::size_t before = reinterpret_cast<std::uintptr_t>(data) % page;
   static_cast<void>(::madvise(static_cast<char*>(data) - before, bytes + before, MADV_HUGEPAGE));

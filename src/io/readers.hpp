@@ -40,8 +40,10 @@ std::optional<Error> find_excess(const InputFile& input, std::uint64_t count);
 /// generous.
 template <class T>
 void reserve_large(std::vector<T>& items, std::size_t count) {
+  constexpr std::size_t kLarge = std::size_t{1} << 22;
   items.reserve(count);
-  prefer_huge_pages(items.data() + items.size(), (items.capacity() - items.size()) * sizeof(T));
+  const std::size_t room = (items.capacity() - items.size()) * sizeof(T);
+  if (room >= kLarge) prefer_huge_pages(items.data() + items.size(), room);
 }
 
 }  // namespace thalweg::io

@@ -27,11 +27,9 @@ std::size_t missing(std::size_t bytes, std::size_t page) noexcept {
   return (page - bytes % page) % page;
 }
 
-/// Whole small pages, and whole huge ones if these are not much more.
+/// Whole pages: huge ones, but for a rest that is not worth one.
 std::size_t length_of(std::size_t bytes) noexcept {
-  const std::size_t spare = missing(bytes, kHugePage);
-  const bool worthwhile = kHugePage - spare >= kLeastOfHugePage || spare <= bytes / 16;
-  return bytes + (worthwhile ? spare : missing(bytes, small_page()));
+  return bytes + missing(bytes, bytes % kHugePage >= kLeastOfHugePage ? kHugePage : small_page());
 }
 
 std::size_t below_huge_page(const void* memory) noexcept {

@@ -18,8 +18,8 @@ inline constexpr std::size_t kLeastOfHugePage = kHugePage / 16;
 /// only what operator new returns.
 bool can_map_huge_pages() noexcept;
 
-/// Fresh memory that begins with a huge page and is made of them, a last one too if it takes little more
-/// memory; nullptr if there is no more. Requires: can_map_huge_pages().
+/// Memory that begins with a huge page and is made of them, but for a rest that is less than
+/// kLeastOfHugePage; nullptr if there is no more. Requires: can_map_huge_pages().
 void* map_huge_pages(std::size_t bytes) noexcept;
 /// Gives back what map_huge_pages(bytes) returned.
 void unmap_huge_pages(void* memory, std::size_t bytes) noexcept;

@@ -173,19 +173,18 @@ std::uint32_t order_cell(const Cell& cell, int level) {
 bool order_cells(SpatialOrder& order, unsigned threads) {
   const Cell all{order.rows, order.sites};
   const std::span<const std::uint32_t> keys = order.keys;
+  const std::size_t parts = parts_of(all.size(), kThreadPoints, threads);
   std::atomic<bool> duplicates{false};
-  parallel_parts(all.size(), parts_of(all.size(), kThreadPoints, threads),
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   // A cell belongs to the part in which it begins.
-                   while (begin < end && begin > 0 && keys[begin] == keys[begin - 1]) ++begin;
-                   while (begin < end) {
-                     std::size_t next = begin + 1;
-                     while (next < keys.size() && keys[next] == keys[begin]) ++next;
-                     if (next - begin > 1 && order_cell(all.part(begin, next), 1) < next - begin)
-                       duplicates = true;
-                     begin = next;
-                   }
-                 });
+  parallel_parts(all.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+    // A cell belongs to the part in which it begins.
+    while (begin < end && begin > 0 && keys[begin] == keys[begin - 1]) ++begin;
+    while (begin < end) {
+      std::size_t next = begin + 1;
+      while (next < keys.size() && keys[next] == keys[begin]) ++next;
+      if (next - begin > 1 && order_cell(all.part(begin, next), 1) < next - begin) duplicates = true;
+      begin = next;
+    }
+  });
   return duplicates;
 }
 

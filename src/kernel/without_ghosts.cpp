@@ -199,8 +199,8 @@ Array<std::uint8_t> Packing::pack_hull() {
 }
 
 /// Three words a face from four a slot, for the blocks of a part, so that each site of the part is left with
-/// the first half-edge that leaves it, which is met last. Returns those that leave others' sites
-/// within the hull.
+/// the first half-edge that leaves it, which is met last. Returns those that leave others' sites within the
+/// hull.
 Packing::Strays Packing::pack_corners(std::size_t begin, std::size_t end,
                                       std::span<const std::uint8_t> on_hull, Corners& corners) {
   const std::size_t low = begin * kBlockSites;
