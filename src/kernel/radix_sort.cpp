@@ -3,6 +3,7 @@
 #include "kernel/radix_sort.hpp"
 
 #include <array>
+#include <bit>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,36 +18,14 @@ constexpr std::size_t kThreadRows = 1u << 16;
 
 /// Fewer than these are compared.
 constexpr std::size_t kFewRows = 96;
-/// From as many on the counts of long digits are worth a pass less.
-constexpr std::size_t kManyRows = 1u << 13;
 
-constexpr std::uint32_t passes_of(std::uint32_t digit_bits) noexcept {
-  return (32 + digit_bits - 1) / digit_bits;
+/// Digits of few rows, whose counts cost as much as the rows; and of many, for a pass less.
+constexpr unsigned kShortDigit = 8, kLongDigit = 11;
+
+/// How long digits should be at most, for so many rows.
+unsigned longest_digit(std::size_t rows) noexcept {
+  return std::clamp(static_cast<unsigned>(std::bit_width(rows)) - 1, kShortDigit, kLongDigit);
 }
-
-/// The stable sort by key, from `rows` to `other` and back, a pass for each digit: it ends in `other` after
-/// an odd number of passes, else in `rows`.
-template <std::uint32_t kDigitBits>
-void sort_by_digits(std::span<KeyedRow> rows, std::span<KeyedRow> other) noexcept {
-  constexpr std::uint32_t kDigits = 1u << kDigitBits;
-  for (std::uint32_t pass = 0; pass < passes_of(kDigitBits); ++pass) {
-    const auto digit = [pass](KeyedRow k) {
-      return static_cast<std::uint32_t>(k >> (32 + kDigitBits * pass)) % kDigits;
-    };
-    std::array<std::uint32_t, kDigits> next{};
-    for (const KeyedRow k : rows) ++next[digit(k)];
-    std::uint32_t place = 0;
-    for (std::uint32_t& count : next) place += std::exchange(count, place);
-    for (const KeyedRow k : rows) other[next[digit(k)]++] = k;
-    std::swap(rows, other);
-  }
-}
-
-/// Digits of many rows: three passes.
-constexpr std::uint32_t kLongDigit = 11;
-/// Digits of some: four passes.
-constexpr std::uint32_t kShortDigit = 8;
-static_assert(passes_of(kLongDigit) % 2 == 1 && passes_of(kShortDigit) % 2 == 0, "where results are");
 
 /// Where the ranges of keys begin after the first: at quantiles of a sample. It is taken by the golden ratio,
 /// for steps of one length may meet the same column of a grid again and again.
@@ -96,26 +75,48 @@ std::vector<std::uint32_t> share_out(std::span<const KeyedRow> rows, std::span<K
 
 }  // namespace
 
+/// A pass for each digit, from one array to the other.
+std::span<KeyedRow> sort_by_bits(std::span<KeyedRow> rows, std::span<KeyedRow> other,
+                                 unsigned bits) noexcept {
+  const unsigned longest = longest_digit(rows.size());
+  const unsigned passes = (bits + longest - 1) / longest;
+  for (unsigned pass = 0, low = 0; pass < passes; ++pass) {
+    const unsigned digit_bits = (bits - low + passes - pass - 1) / (passes - pass);
+    const std::uint32_t digits = 1u << digit_bits;
+    const auto digit = [shift = 32 + low, digits](KeyedRow k) {
+      return static_cast<std::uint32_t>(k >> shift) & (digits - 1);
+    };
+    std::array<std::uint32_t, 1u << kLongDigit> next;
+    std::fill_n(next.begin(), digits, 0u);
+    for (const KeyedRow k : rows) ++next[digit(k)];
+    std::uint32_t place = 0;
+    for (std::uint32_t& count : std::span(next).first(digits)) place += std::exchange(count, place);
+    for (const KeyedRow k : rows) other[next[digit(k)]++] = k;
+    std::swap(rows, other);
+    low += digit_bits;
+  }
+  return rows;
+}
+
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
+  constexpr unsigned kKeyBits = 32;
   if (keyed.size() < kFewRows) {
     std::sort(keyed.begin(), keyed.end());
     return;
   }
   Array<KeyedRow> other(keyed.size());
-  if (keyed.size() < kManyRows) {
-    sort_by_digits<kShortDigit>(keyed, other);
-    return;
-  }
   const std::size_t ranges = parts_of(keyed.size(), kThreadRows, threads);
   if (ranges == 1) {
-    sort_by_digits<kLongDigit>(keyed, other);
-    keyed.swap(other);
+    if (sort_by_bits(keyed, other, kKeyBits).data() == other.data()) keyed.swap(other);
     return;
   }
   const std::vector<std::uint32_t> begins = share_out(keyed, other, ranges);
   parallel_parts(ranges, ranges, [&](std::size_t range, std::size_t, std::size_t) {
     const std::size_t begin = begins[range], size = begins[range + 1] - begin;
-    sort_by_digits<kLongDigit>(std::span(other).subspan(begin, size), std::span(keyed).subspan(begin, size));
+    const std::span<KeyedRow> shared = std::span(other).subspan(begin, size);
+    const std::span<KeyedRow> wanted = std::span(keyed).subspan(begin, size);
+    const std::span<KeyedRow> sorted = sort_by_bits(shared, wanted, kKeyBits);
+    if (sorted.data() != wanted.data()) std::copy(sorted.begin(), sorted.end(), wanted.begin());
   });
 }
 

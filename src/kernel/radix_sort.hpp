@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "thalweg/array.hpp"
 
@@ -26,9 +27,14 @@ inline std::uint32_t row_of(KeyedRow k) noexcept {
 /// Complexity: O(n), for every thread.
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads);
 
+/// The stable sort by the lowest `bits` bits of the keys, in one thread and without memory of its own.
+/// Returns which of `rows` and `other` has the sorted rows; the other one has nothing any more. Requires:
+/// both are of the same length. Complexity: O(n).
+std::span<KeyedRow> sort_by_bits(std::span<KeyedRow> rows, std::span<KeyedRow> other, unsigned bits) noexcept;
+
 /// Calls visit(begin, end) for each run of equal keys. Requires: sorted by key. Complexity: O(n).
 template <class Visit>
-void for_each_run(const Array<KeyedRow>& keyed, Visit&& visit) {
+void for_each_run(std::span<const KeyedRow> keyed, Visit&& visit) {
   for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
     while (end < keyed.size() && key_of(keyed[end]) == key_of(keyed[begin])) ++end;
     visit(begin, end);

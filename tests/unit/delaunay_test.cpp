@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "kernel/delaunay_sites.hpp"
 #include "kernel/spatial_order.hpp"
@@ -81,15 +84,58 @@ TEST(SpatialOrder, KeysAreTheBitsOfBothCoordinates) {
   }
 }
 
+/// Sets that ranges of keys divide well and badly.
+std::vector<std::vector<Point2>> sets_to_order() {
+  std::vector<std::vector<Point2>> sets;
+  for (const std::uint32_t count : {1u, 2047u, 2049u, 70'000u})
+    sets.push_back(support::point_set(Kind::uniform, count, 7));
+  sets.push_back(support::point_set(Kind::clusters, 200'000, 23));  // enough for three parts
+  sets.back().back() = sets.back().front();
+  sets.push_back(support::point_set(Kind::uniform, 150'000, 11));
+  sets.back()[77'777] = {1e9, -1e12};  // all others in one cell
+  sets.emplace_back(140'000, Point2{3, -5});
+  sets.emplace_back();
+  for (std::uint32_t i = 0; i < 150'000; ++i)  // a quarter of the places twice
+    sets.back().push_back({static_cast<double>(i % 100), static_cast<double>(i * 7 % 120'000)});
+  return sets;
+}
+
+TEST(SpatialOrder, HasEveryRowAtItsSiteInTheOrderOfKeys) {
+  for (const std::vector<Point2>& points : sets_to_order()) {
+    const auto order = thalweg::detail::spatial_order(points, 2);
+    std::vector<std::uint32_t> keys(points.size());
+    thalweg::detail::morton_keys(points, keys);
+    std::vector<char> met(points.size(), 0);
+    for (std::uint32_t s = 0; s < order.site_count(); ++s) {
+      const std::uint32_t begin = order.distinct() ? s : order.starts[s];
+      const std::uint32_t end = order.distinct() ? s + 1 : order.starts[s + 1];
+      ASSERT_LT(begin, end);
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t row = order.rows[i];
+        ASSERT_EQ(points[row], order.sites[s]);
+        ASSERT_EQ(keys[row], order.keys[s]);
+        ASSERT_EQ(std::exchange(met[row], 1), 0);
+        ASSERT_TRUE(i == begin || order.rows[i - 1] < row);
+      }
+    }
+    ASSERT_EQ(std::ranges::count(met, 1), static_cast<std::ptrdiff_t>(points.size()));
+    EXPECT_TRUE(std::ranges::is_sorted(order.keys));
+    std::set<std::pair<double, double>> places;
+    for (const Point2 p : points) places.insert({p.x, p.y});
+    EXPECT_EQ(order.site_count(), places.size());
+  }
+}
+
 TEST(SpatialOrder, IsTheSameForAnyNumberOfThreads) {
-  auto points = support::point_set(Kind::clusters, 200000, 23);  // enough for three parts
-  points.back() = points.front();
-  const auto order = thalweg::detail::spatial_order(points, 1);
-  for (const unsigned threads : {2u, 3u}) {
-    const auto other = thalweg::detail::spatial_order(points, threads);
-    EXPECT_TRUE(std::ranges::equal(order.rows, other.rows)) << threads;
-    EXPECT_TRUE(std::ranges::equal(order.keys, other.keys)) << threads;
-    EXPECT_EQ(order.starts, other.starts) << threads;
+  for (const std::vector<Point2>& points : sets_to_order()) {
+    const auto order = thalweg::detail::spatial_order(points, 1);
+    for (const unsigned threads : {2u, 3u}) {
+      const auto other = thalweg::detail::spatial_order(points, threads);
+      EXPECT_TRUE(std::ranges::equal(order.rows, other.rows)) << threads;
+      EXPECT_TRUE(std::ranges::equal(order.keys, other.keys)) << threads;
+      EXPECT_TRUE(std::ranges::equal(order.sites, other.sites)) << threads;
+      EXPECT_EQ(order.starts, other.starts) << threads;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace {
@@ -51,6 +52,22 @@ TEST(RadixSort, SortsKeysThatThreadsCannotShareWell) {
   Array<KeyedRow> crowd = rows_with_keys(200'000, 1);
   crowd[99'999] = keyed_row(0xffffffffu, 99'999);
   expect_sorted(crowd);
+}
+
+TEST(RadixSort, SortsByTheLowestBitsAndKeepsTheOrderOfTheRest) {
+  for (const std::uint32_t count : {0u, 1u, 2u, 700u, 5000u}) {
+    for (unsigned bits = 0; bits <= 32; ++bits) {
+      Array<KeyedRow> rows = rows_with_keys(count, 3000), other(count);
+      std::vector<KeyedRow> expected(rows.begin(), rows.end());
+      std::stable_sort(expected.begin(), expected.end(), [bits](KeyedRow a, KeyedRow b) {
+        return key_of(a) % (std::uint64_t{1} << bits) < key_of(b) % (std::uint64_t{1} << bits);
+      });
+      const std::span<const KeyedRow> sorted = thalweg::detail::sort_by_bits(rows, other, bits);
+      ASSERT_TRUE(sorted.data() == rows.data() || sorted.data() == other.data());
+      ASSERT_TRUE(std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end()))
+          << count << " rows, " << bits << " bits";
+    }
+  }
 }
 
 TEST(RadixSort, SortsRunsOfEqualKeysByComparison) {
