@@ -31,4 +31,8 @@ void deallocate_array(void* memory, std::size_t count, std::size_t size) noexcep
   }
 }
 
+bool release_behind(void* memory, std::size_t bytes, std::size_t used) noexcept {
+  return is_mapped(bytes) && release_huge_pages(memory, bytes, used);
+}
+
 }  // namespace thalweg::detail

@@ -66,7 +66,7 @@ Result<Triangulation> delaunay_of_sites(std::span<const Point2> sites, std::span
   const KeptPages pages;
   Result<GhostedTriangulation> mesh = triangulate(sites, keys, threads);
   if (!mesh) return std::move(mesh).error();
-  return without_ghosts(*std::move(mesh), threads);
+  return without_ghosts(*std::move(mesh), {}, threads);
 }
 
 Result<Triangulation> delaunay_of_sites(std::span<const Point2> sites, unsigned threads) {
@@ -100,9 +100,8 @@ Result<Triangulation> delaunay(std::span<const Point2> points, const DelaunayOpt
   if (!mesh) return std::move(mesh).error();
   order.sites = detail::Array<Point2>();
   order.keys = detail::Array<std::uint32_t>();
-  Result<Triangulation> result = detail::without_ghosts(*std::move(mesh), threads);
-  if (!result) return result;
-  return (*std::move(result)).renamed(order.rows, static_cast<std::uint32_t>(points.size()), threads);
+  const detail::VertexNames names{order.rows, static_cast<std::uint32_t>(points.size())};
+  return detail::without_ghosts(*std::move(mesh), names, threads);
 }
 
 }  // namespace thalweg

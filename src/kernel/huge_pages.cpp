@@ -130,6 +130,11 @@ void unmap_huge_pages(void* memory, std::size_t bytes) noexcept {
   }
 }
 
+bool release_huge_pages(void* memory, std::size_t bytes, std::size_t used) noexcept {
+  const std::size_t begin = used + missing(used, kHugePage), end = length_of(bytes);
+  return begin >= end || madvise(static_cast<char*>(memory) + begin, end - begin, MADV_DONTNEED) == 0;
+}
+
 #else
 
 KeptPages::KeptPages() noexcept = default;
@@ -142,6 +147,9 @@ void* map_huge_pages(std::size_t) noexcept {
   return nullptr;
 }
 void unmap_huge_pages(void*, std::size_t) noexcept {}
+bool release_huge_pages(void*, std::size_t, std::size_t) noexcept {
+  return false;
+}
 
 #endif
 

@@ -23,6 +23,8 @@ bool can_map_huge_pages() noexcept;
 void* map_huge_pages(std::size_t bytes) noexcept;
 /// Gives back what map_huge_pages(bytes) returned.
 void unmap_huge_pages(void* memory, std::size_t bytes) noexcept;
+/// Gives back what is in whole huge pages behind the first `used` bytes of it; the addresses are kept.
+bool release_huge_pages(void* memory, std::size_t bytes, std::size_t used) noexcept;
 
 /// While one exists, what this thread gives back is kept for what it asks for next: pages need not be cleared
 /// again. All goes to the system as soon as nothing that is kept is large enough, so that arrays never take

@@ -1,5 +1,5 @@
-/// Faces move together, and keep their order. Where blocks of slots have no ghosts, which is the rule,
-/// numbers follow by arithmetic.
+/// Faces move together in the memory they are in, and keep their order. Where blocks of slots have no ghosts,
+/// which is the rule, numbers follow by arithmetic.
 #include "kernel/without_ghosts.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr Index kNone = HalfedgeId::kInvalid;
 constexpr Index kBlockSlots = 1u << 9, kBlockSites = kBlockSlots / 2;
 
 /// So many at least are worth a thread.
-constexpr std::size_t kBlocksOfThread = 64;
+constexpr std::size_t kBlocksOfThread = 16;
 
 class Packing {
  public:
@@ -38,17 +38,12 @@ class Packing {
   Index face_count() const noexcept { return slot_count_ - ghost_count_; }
 
   /// Requires: there are faces. (Otherwise ghosts have ghosts behind them.)
-  Triangulation run();
+  Triangulation run(const VertexNames& names);
 
  private:
   struct Block {
     Index ghosts_before = 0;
     Index ghosts = 0;
-  };
-
-  struct Corners {
-    Array<Index> origin;    ///< of every half-edge
-    Array<Index> outgoing;  ///< a half-edge of every site
   };
 
   using Slots = std::array<Index, kBlockSlots>;
@@ -83,29 +78,30 @@ class Packing {
     return part_with(std::min<std::size_t>(site / kBlockSites, blocks_.size() - 1), blocks_.size(), parts_);
   }
 
-  /// Calls task(block) for every block, in each thread from the last to the first. So goes all here, since
-  /// pack_corners must and memory is read ahead in one direction.
+  /// Calls task(block) for every block, on all threads.
   template <class Task>
-  void each_block(Task&& task) {
+  void each_block(const Task& task) {
     parallel_parts(blocks_.size(), parts_, [&](std::size_t, std::size_t begin, std::size_t end) {
-      while (end-- > begin) task(end);
+      for (; begin < end; ++begin) task(begin);
     });
   }
+  template <class Task>
+  void each_wave(const Task& task);
   std::span<const Index> slots_of(std::size_t block, bool ghosts, Slots& room) const;
   template <class Task>
   void each_face(std::size_t block, Task task) const;
 
   void count_ghosts();
   void cut_off_ghosts(std::size_t block);
-  Array<Index> packed_twins();
+  void pack_twins();
   Array<std::uint8_t> pack_hull();
   /// Out of line: it is seldom called, and would take registers from the loop that calls it.
   [[gnu::noinline]] void add_stray(Strays& strays, Index site, Index h) const {
     strays[part_of(site)].push_back(h);
   }
-  Strays pack_corners(std::size_t begin, std::size_t end, std::span<const std::uint8_t> on_hull,
-                      Corners& corners);
-  Corners packed_corners();
+  void pack_corners(std::size_t begin, std::size_t end, std::span<const Index> names,
+                    std::span<const std::uint8_t> on_hull, Strays& strays);
+  void find_outgoing(const VertexNames& names, const std::vector<Strays>& strays);
 
   /// In blocks with ghosts, the word of `origin` that has no corner comes to have the first half-edge of the
   /// packed face.
@@ -113,41 +109,62 @@ class Packing {
   Index slot_count_;
   Index ghost_count_ = 0;
   std::vector<Block> blocks_;
-  Array<Index> hull_;  ///< for each ghost the half-edge behind it, along the hull
+  Array<Index> hull_;      ///< for each ghost the half-edge behind it, along the hull
+  Array<Index> outgoing_;  ///< a half-edge of every site, then of every vertex
   std::size_t parts_;
 };
 
-/// Those slots of a block that are ghosts, or those that are faces, from the last to the first. No branch: it
-/// would be a guess where they mix.
+/// Calls task(part, begin, end) for ranges of blocks that make all of them; those of one part come one after
+/// the other. A range may write three words a slot, from the front of an array on, over four: at most a third
+/// as many blocks as are done are shared out at a time, so that nobody writes where others still read.
+template <class Task>
+void Packing::each_wave(const Task& task) {
+  constexpr std::size_t kFirst = 3 * 2 * kBlocksOfThread;  // then two threads have work
+  const std::size_t count = blocks_.size();
+  std::size_t done = parts_ == 1 ? count : std::min(count, kFirst);
+  task(std::size_t{0}, std::size_t{0}, done);
+  while (done < count) {
+    const std::size_t wave = std::min(done / 3, count - done);
+    parallel_parts(
+        wave, parts_of(wave, kBlocksOfThread, static_cast<unsigned>(parts_)),
+        [&](std::size_t part, std::size_t begin, std::size_t end) { task(part, done + begin, done + end); });
+    done += wave;
+  }
+}
+
+/// Those slots of a block that are ghosts, or those that are faces. No branch: it would be a guess where they
+/// mix.
 std::span<const Index> Packing::slots_of(std::size_t block, bool ghosts, Slots& room) const {
   const Index* const origins = mesh_.origin.data();
   const Index wanted = ghosts ? 1 : 0;
   Index count = 0;
-  for (Index slot = end_slot(block), first = first_slot(block); slot > first;) {
-    room[count] = --slot;
+  for (Index slot = first_slot(block), end = end_slot(block); slot < end; ++slot) {
+    room[count] = slot;
     count += is_ghost(origins + 4 * std::size_t{slot}) == wanted;
   }
   return std::span(room).first(count);
 }
 
-/// Calls task(slot, h) for every face of a block, from the last to the first; h is the first half-edge of the
-/// packed face.
+/// Calls task(slot, h) for every face of a block; h is the first half-edge of the packed face.
 template <class Task>
 void Packing::each_face(std::size_t block, Task task) const {
   const auto [before, ghosts] = blocks_[block];
-  Index h = 3 * (end_slot(block) - before - ghosts);
+  Index h = 3 * (first_slot(block) - before);
   if (ghosts == 0) {
-    for (Index slot = end_slot(block), first = first_slot(block); slot-- > first;) task(slot, h -= 3);
+    for (Index slot = first_slot(block), end = end_slot(block); slot < end; ++slot, h += 3) task(slot, h);
     return;
   }
   Slots room;
-  for (const Index slot : slots_of(block, false, room)) task(slot, h -= 3);
+  for (const Index slot : slots_of(block, false, room)) {
+    task(slot, h);
+    h += 3;
+  }
 }
 
 void Packing::count_ghosts() {
   each_block([&](std::size_t b) {
     Index count = 0;
-    for (Index slot = end_slot(b), first = first_slot(b); slot-- > first;)
+    for (Index slot = first_slot(b), end = end_slot(b); slot < end; ++slot)
       count += is_ghost(&mesh_.origin[4 * std::size_t{slot}]);
     blocks_[b].ghosts = count;
   });
@@ -173,15 +190,15 @@ void Packing::cut_off_ghosts(std::size_t block) {
 }
 
 /// Three words a face from four a slot, with their new numbers.
-Array<Index> Packing::packed_twins() {
-  Array<Index> twin(3 * std::size_t{face_count()});
-  each_block([&](std::size_t b) {
-    each_face(
-        b, [renumbered = renumbering(), to = twin.data(), from = mesh_.twin.data()](Index slot, Index first) {
-          for (std::size_t i = 0; i < 3; ++i) to[first + i] = renumbered(from[4 * std::size_t{slot} + i]);
-        });
+void Packing::pack_twins() {
+  each_wave([&](std::size_t, std::size_t begin, std::size_t end) {
+    for (; begin < end; ++begin) {
+      each_face(begin, [renumbered = renumbering(), twins = mesh_.twin.data()](Index slot, Index first) {
+        for (std::size_t i = 0; i < 3; ++i) twins[first + i] = renumbered(twins[4 * std::size_t{slot} + i]);
+      });
+    }
   });
-  return twin;
+  cut_short(mesh_.twin, 3 * std::size_t{face_count()});
 }
 
 /// Gives the hull its new numbers. Returns for every site whether it is on the hull, if several parts are to
@@ -198,76 +215,77 @@ Array<std::uint8_t> Packing::pack_hull() {
   return on_hull;
 }
 
-/// Three words a face from four a slot, for the blocks of a part, so that each site of the part is left with
-/// the first half-edge that leaves it, which is met last. Returns those that leave others' sites within the
-/// hull.
-Packing::Strays Packing::pack_corners(std::size_t begin, std::size_t end,
-                                      std::span<const std::uint8_t> on_hull, Corners& corners) {
+/// Three words a face from four a slot, with the names of the sites, for a range of blocks; and for the sites
+/// that lie where its triangles do, the first of its half-edges that leave them. Those that leave others'
+/// sites within the hull are strays.
+void Packing::pack_corners(std::size_t begin, std::size_t end, std::span<const Index> names,
+                           std::span<const std::uint8_t> on_hull, Strays& strays) {
   const std::size_t low = begin * kBlockSites;
-  const std::size_t high = end == blocks_.size() ? corners.outgoing.size() : end * kBlockSites;
-  Index* const outgoing = corners.outgoing.data();
+  const std::size_t high = end == blocks_.size() ? outgoing_.size() : end * kBlockSites;
+  Index* const outgoing = outgoing_.data();
   std::fill(outgoing + low, outgoing + high, kNone);
-  Strays strays(parts_);
-  for (std::size_t b = end; b-- > begin;) {
-    each_face(b, [=, this, from = mesh_.origin.data(), to = corners.origin.data(), &strays](Index slot,
-                                                                                            Index first) {
-      const Index* const of_slot = from + 4 * std::size_t{slot};
-      for (Index i = 3; i-- > 0;) {
+  for (std::size_t b = begin; b < end; ++b) {
+    each_face(b, [=, this, origins = mesh_.origin.data(), &strays](Index slot, Index first) {
+      const Index* const of_slot = origins + 4 * std::size_t{slot};
+      for (Index i = 0; i < 3; ++i) {
         const Index v = of_slot[i];
-        to[first + i] = v;
+        origins[first + i] = names.empty() ? v : names[v];
         if (v - low < high - low) {
-          outgoing[v] = first + i;
+          outgoing[v] = std::min(outgoing[v], first + i);
         } else if (on_hull[v] == 0) {
           add_stray(strays, v, first + i);
         }
       }
     });
   }
-  return strays;
 }
 
-/// The origins, and for every site the half-edge along the hull that leaves it, or else the first of all that
-/// do. Each part of the faces has a part of the sites for itself: those that lie where its triangles do. What
-/// the parts find for one another comes later, and then the hull.
-Packing::Corners Packing::packed_corners() {
-  const Array<std::uint8_t> on_hull = pack_hull();
-  Corners corners{Array<Index>(3 * std::size_t{face_count()}), Array<Index>(slot_count_ / 2 + 1)};
-  std::vector<Strays> strays(parts_);  // of each part
-  parallel_parts(blocks_.size(), parts_, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    strays[part] = pack_corners(begin, end, on_hull, corners);
-  });
+/// Gives every site its name, and the half-edge that is to leave it: that along the hull, or else the first
+/// of all. Each thread has met the first half-edges of some sites; what else leaves these, others have found.
+void Packing::find_outgoing(const VertexNames& names, const std::vector<Strays>& strays) {
+  if (!names.of_site.empty()) {
+    Array<Index> named(names.count);
+    if (names.count > outgoing_.size()) std::fill(named.begin(), named.end(), kNone);
+    parallel_for(outgoing_.size(), static_cast<unsigned>(parts_),
+                 [&](std::size_t site) { named[names.of_site[site]] = outgoing_[site]; });
+    outgoing_ = std::move(named);
+  }
   parallel_parts(parts_, parts_, [&](std::size_t to, std::size_t, std::size_t) {
     for (const Strays& of_part : strays) {
       for (const Index h : of_part[to]) {
-        Index& first = corners.outgoing[corners.origin[h]];
+        Index& first = outgoing_[mesh_.origin[h]];
         first = std::min(first, h);
       }
     }
   });
   each_block([&](std::size_t b) {
-    for (const Index h : hull_of(blocks_[b])) corners.outgoing[corners.origin[h]] = h;
+    for (const Index h : hull_of(blocks_[b])) outgoing_[mesh_.origin[h]] = h;
   });
-  return corners;
 }
 
-/// One array comes after the other, so that no more memory is held than there must be.
-Triangulation Packing::run() {
+Triangulation Packing::run(const VertexNames& names) {
   hull_ = Array<Index>(ghost_count_);
   each_block([&](std::size_t b) { cut_off_ghosts(b); });
-  Array<Index> twin = packed_twins();
-  mesh_.twin = Array<Index>();  // braces would empty it and keep the memory
-  Corners corners = packed_corners();
-  return linked(std::move(corners.origin), std::move(twin), std::move(corners.outgoing));
+  pack_twins();
+  const Array<std::uint8_t> on_hull = pack_hull();
+  outgoing_ = Array<Index>(slot_count_ / 2 + 1);
+  std::vector<Strays> strays(parts_, Strays(parts_));  // of each part
+  each_wave([&](std::size_t part, std::size_t begin, std::size_t end) {
+    pack_corners(begin, end, names.of_site, on_hull, strays[part]);
+  });
+  cut_short(mesh_.origin, 3 * std::size_t{face_count()});
+  find_outgoing(names, strays);
+  return linked(std::move(mesh_.origin), std::move(mesh_.twin), std::move(outgoing_));
 }
 
 }  // namespace
 
-Result<Triangulation> without_ghosts(GhostedTriangulation mesh, unsigned threads) {
+Result<Triangulation> without_ghosts(GhostedTriangulation mesh, const VertexNames& names, unsigned threads) {
   Packing packing(std::move(mesh), threads);
   if (packing.face_count() == 0) {
     return Error{ErrorCode::all_collinear, "all points lie on one line: there is no triangle"};
   }
-  return packing.run();
+  return packing.run(names);
 }
 
 }  // namespace thalweg::detail

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -51,6 +52,36 @@ TEST(Array, LargeOnesAreApart) {
   for (std::size_t i = 0; i < arrays.size(); i += 2) arrays[i] = Array<std::uint8_t>();
   for (std::uint8_t i = 1; i < 20; i += 2) {
     EXPECT_EQ(arrays[i], Array<std::uint8_t>(kHugePage + 100'000u * i, i));
+  }
+}
+
+/// Bytes of this process that are in memory, as Linux counts them; 0 if it does not say.
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t all = 0, resident = 0;
+  file >> all >> resident;
+  return resident * 4096;
+}
+
+TEST(Array, IsCutShortWhereItIs) {
+  for (const std::size_t count : {std::size_t{10}, std::size_t{100'000}, std::size_t{20'000'000}}) {
+    Array<std::uint32_t> array(count);
+    std::iota(array.begin(), array.end(), 0u);
+    const std::uint32_t* const data = array.data();
+    const std::size_t before = resident_bytes();
+    thalweg::detail::cut_short(array, count / 2);
+    ASSERT_EQ(array.size(), count / 2);
+    for (std::size_t i = 0; i < array.size(); ++i) ASSERT_EQ(array[i], i);
+    if (can_map_huge_pages() && count > 1'000'000) {
+      EXPECT_EQ(array.data(), data);
+      EXPECT_LT(resident_bytes() + count, before);  // a quarter is gone, where a half is due
+    }
+    array.resize(count, 7u);  // a vector like any other
+    EXPECT_EQ(array[count / 2 - 1], count / 2 - 1);
+    EXPECT_EQ(array[count / 2], 7u);
+    EXPECT_EQ(array.back(), 7u);
+    thalweg::detail::cut_short(array, 0);
+    EXPECT_TRUE(array.empty());
   }
 }
 
