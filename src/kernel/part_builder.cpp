@@ -230,23 +230,12 @@ class Builder : PartArrays {
 
   Part pair(Index p, Index q, Index slot) const;
   Part triple(Index p, Index q, Index r, Index slot) const;
-  Extremes extremes(Axis axis, std::span<const Index> ghosts) const noexcept;
 
   struct Extreme {
     Index site, ghost;
   };
   std::array<Extreme, 4> outermost_sites(const Part& left, const Part& right, Axis axis) const noexcept;
 };
-
-/// The extremes among the destinations of these ghost half-edges.
-Extremes Builder::extremes(Axis axis, std::span<const Index> ghosts) const noexcept {
-  Extremes result{ghosts[0], ghosts[0]};
-  for (const Index h : ghosts.subspan(1)) {
-    if (less_along(axis, at(dest(h)), at(dest(result.low)))) result.low = h;
-    if (less_along(axis, at(dest(result.high)), at(dest(h)))) result.high = h;
-  }
-  return result;
-}
 
 Part Builder::build(Index lo, Index hi, const Index* keys, int level) const {
   const Index count = hi - lo;
@@ -302,8 +291,9 @@ Part Builder::pair(Index p, Index q, Index slot) const {
   link(below, above);
   link(below + 1, above + 2);
   link(below + 2, above + 1);
-  const Index ghosts[] = {below, above};
-  return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
+  const Extremes along_y =
+      less_along(Axis::y, at(p), at(q)) ? Extremes{below, above} : Extremes{above, below};
+  return {{below, above}, along_y};
 }
 
 /// Three sites in lexicographic order: a triangle with three ghosts, or two edges in a row with four.
@@ -322,8 +312,13 @@ Part Builder::triple(Index p, Index q, Index r, Index slot) const {
   link(pa + 1, bp + 2);
   link(ab + 1, pa + 2);
   link(bp + 1, ab + 2);
-  const Index ghosts[] = {pa, ab, bp};
-  return {extremes(Axis::x, ghosts), extremes(Axis::y, ghosts)};
+  // The ghosts behind p, q and r, which leave no doubt along x.
+  const Index behind_q = turn > 0 ? ab : bp, behind_r = turn > 0 ? bp : ab;
+  const bool p_q = less_along(Axis::y, at(p), at(q)), q_r = less_along(Axis::y, at(q), at(r)),
+             p_r = less_along(Axis::y, at(p), at(r));
+  const Index low = p_q && p_r ? pa : q_r ? behind_q : behind_r;
+  const Index high = !p_q && !p_r ? pa : q_r ? behind_r : behind_q;
+  return {{pa, behind_r}, {low, high}};
 }
 
 /// The least and the greatest site of two parts along x, then along y, while the parts are still apart; the
