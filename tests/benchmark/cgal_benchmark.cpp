@@ -12,7 +12,7 @@ void add_cgal([[maybe_unused]] const SetOfSites& set) {
 #ifdef THALWEG_BENCH_PEERS
   add(name_of("cgal", set), [set](benchmark::State& state) {
     const peers::CgalPoints points(places(set));
-    for (auto _ : state) benchmark::DoNotOptimize(points.face_count());
+    repeat(state, [&] { benchmark::DoNotOptimize(points.face_count()); });
   });
 #endif
 }

@@ -15,10 +15,10 @@ using bench::SetOfSites;
 void add_delaunay(const SetOfSites& set, unsigned threads) {
   bench::add(bench::name_of("delaunay", set, {.threads = threads}), [=](benchmark::State& state) {
     const auto points = bench::places(set);
-    for (auto _ : state) {
+    bench::repeat(state, [&] {
       auto triangulation = thalweg::delaunay(points, {.threads = threads});
       benchmark::DoNotOptimize(triangulation);
-    }
+    });
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
   });
 }

@@ -27,9 +27,18 @@ class Measured:
         runs = self.runs.get(name)
         return statistics.median(run[key] for run in runs) if runs else None
 
-    def milliseconds(self, name):
+    @staticmethod
+    def time_key(name):
         """CPU time of one thread, real time of more."""
-        return self.value(name, "real_time" if "/threads:" in name else "cpu_time")
+        return "real_time" if "/threads:" in name else "cpu_time"
+
+    def milliseconds(self, name):
+        return self.value(name, self.time_key(name))
+
+    def least_milliseconds(self, name):
+        """What the repetition took that was disturbed the least."""
+        runs = self.runs.get(name)
+        return min(run[self.time_key(name)] for run in runs) if runs else None
 
     def real_milliseconds(self, name):
         return self.value(name, "real_time")
@@ -38,8 +47,7 @@ class Measured:
         """The largest difference between repetitions of one benchmark, as a part of its median."""
         parts = [0.0]
         for name, runs in self.runs.items():
-            key = "real_time" if "/threads:" in name else "cpu_time"
-            times = [run[key] for run in runs]
+            times = [run[self.time_key(name)] for run in runs]
             parts.append((max(times) - min(times)) / statistics.median(times))
         return max(parts)
 

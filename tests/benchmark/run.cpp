@@ -1,5 +1,7 @@
 #include "benchmark/run.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -66,6 +68,13 @@ class RatioReporter : public benchmark::BenchmarkReporter {
 };
 
 }  // namespace
+
+double system_milliseconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1e3 * static_cast<double>(usage.ru_stime.tv_sec) +
+         1e-3 * static_cast<double>(usage.ru_stime.tv_usec);
+}
 
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);

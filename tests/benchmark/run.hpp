@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <string>
@@ -40,6 +41,20 @@ benchmark::internal::Benchmark* add(const std::string& name, Function function) 
     }
   };
   return benchmark::RegisterBenchmark(name.c_str(), guarded)->Unit(benchmark::kMillisecond);
+}
+
+/// Milliseconds that the system has spent on all threads of this process so far.
+double system_milliseconds();
+
+/// Calls job() as often as the benchmark asks. Counter: system_ms, the part of its CPU time in which the
+/// system worked for it, which is the clearing of memory that is touched for the first time.
+template <class Job>
+void repeat(benchmark::State& state, const Job& job) {
+  const double before = system_milliseconds();
+  for (auto _ : state) job();
+  state.counters["system_ms"] =
+      (system_milliseconds() - before) /
+      static_cast<double>(std::max<benchmark::IterationCount>(1, state.iterations()));
 }
 
 /// Runs what was added and the command line asks for. Where CGAL was run on a set too, prints for every other

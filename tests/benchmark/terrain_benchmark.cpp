@@ -1,6 +1,7 @@
 /// The heuristics from points in memory to a reported terrain, merging of duplicates and Delaunay
 /// triangulation included; and all useful pairs of a Delaunay triangulation that is there.
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -19,16 +20,16 @@ using thalweg::Method;
 constexpr std::pair<Method, const char*> kMethods[] = {
     {Method::flip, "flip"}, {Method::hull, "hull"}, {Method::best, "best"}};
 
-/// Counters: pits_before and pits, a sanity check of what was timed.
+/// Counters: pits_before and pits, a sanity check of what was timed, and those of bench::repeat.
 void minimize(benchmark::State& state, const SetOfSites& set, const thalweg::MinimizeOptions& options) {
   const auto points = bench::terrain(set);
   thalweg::PitCount before, after;
-  for (auto _ : state) {
+  bench::repeat(state, [&] {
     const auto result = thalweg::minimize_pits(points, options);
-    if (!result) return state.SkipWithError(result.error().message.c_str());
+    if (!result) throw std::runtime_error(result.error().message);
     before = result->delaunay_pits;
     after = result->pits;
-  }
+  });
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
   state.counters["pits_before"] = before.total;
   state.counters["pits"] = after.total;
