@@ -97,7 +97,7 @@ std::uint32_t CellOrder::order_by_keys(const Cell& cell, std::span<std::uint32_t
   keyed_.resize(cell.size());
   other_.resize(cell.size());
   for (std::uint32_t i = 0; i < keyed_.size(); ++i) keyed_[i] = keyed_row(keys[i], i);
-  const std::span<const KeyedRow> sorted = sort_by_bits(keyed_, other_, bits);
+  const std::span<const KeyedRow> sorted = radix_sort(keyed_, other_, bits);
   std::transform(sorted.begin(), sorted.end(), keys.begin(), key_of);
   arrange(cell, [sorted](std::size_t i) { return row_of(sorted[i]); });
   std::uint32_t distinct = 0;

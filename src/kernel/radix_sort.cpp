@@ -76,8 +76,11 @@ std::vector<std::uint32_t> share_out(std::span<const KeyedRow> rows, std::span<K
 }  // namespace
 
 /// A pass for each digit, from one array to the other.
-std::span<KeyedRow> sort_by_bits(std::span<KeyedRow> rows, std::span<KeyedRow> other,
-                                 unsigned bits) noexcept {
+std::span<KeyedRow> radix_sort(std::span<KeyedRow> rows, std::span<KeyedRow> other, unsigned bits) noexcept {
+  if (rows.size() < kFewRows) {
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }
   const unsigned longest = longest_digit(rows.size());
   const unsigned passes = (bits + longest - 1) / longest;
   for (unsigned pass = 0, low = 0; pass < passes; ++pass) {
@@ -100,14 +103,10 @@ std::span<KeyedRow> sort_by_bits(std::span<KeyedRow> rows, std::span<KeyedRow> o
 
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
   constexpr unsigned kKeyBits = 32;
-  if (keyed.size() < kFewRows) {
-    std::sort(keyed.begin(), keyed.end());
-    return;
-  }
   Array<KeyedRow> other(keyed.size());
   const std::size_t ranges = parts_of(keyed.size(), kThreadRows, threads);
   if (ranges == 1) {
-    if (sort_by_bits(keyed, other, kKeyBits).data() == other.data()) keyed.swap(other);
+    if (radix_sort(keyed, other, kKeyBits).data() == other.data()) keyed.swap(other);
     return;
   }
   const std::vector<std::uint32_t> begins = share_out(keyed, other, ranges);
@@ -115,7 +114,7 @@ void radix_sort(Array<KeyedRow>& keyed, unsigned threads) {
     const std::size_t begin = begins[range], size = begins[range + 1] - begin;
     const std::span<KeyedRow> shared = std::span(other).subspan(begin, size);
     const std::span<KeyedRow> wanted = std::span(keyed).subspan(begin, size);
-    const std::span<KeyedRow> sorted = sort_by_bits(shared, wanted, kKeyBits);
+    const std::span<KeyedRow> sorted = radix_sort(shared, wanted, kKeyBits);
     if (sorted.data() != wanted.data()) std::copy(sorted.begin(), sorted.end(), wanted.begin());
   });
 }

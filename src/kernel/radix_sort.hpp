@@ -27,10 +27,10 @@ inline std::uint32_t row_of(KeyedRow k) noexcept {
 /// Complexity: O(n), for every thread.
 void radix_sort(Array<KeyedRow>& keyed, unsigned threads);
 
-/// The stable sort by the lowest `bits` bits of the keys, in one thread and without memory of its own.
-/// Returns which of `rows` and `other` has the sorted rows; the other one has nothing any more. Requires:
-/// both are of the same length. Complexity: O(n).
-std::span<KeyedRow> sort_by_bits(std::span<KeyedRow> rows, std::span<KeyedRow> other, unsigned bits) noexcept;
+/// The same in one thread and without memory of its own, for keys that may differ in their lowest `bits` bits
+/// only. Returns which of `rows` and `other` has the sorted rows; the other one has nothing any more.
+/// Requires: both are of the same length.
+std::span<KeyedRow> radix_sort(std::span<KeyedRow> rows, std::span<KeyedRow> other, unsigned bits) noexcept;
 
 /// Calls visit(begin, end) for each run of equal keys. Requires: sorted by key. Complexity: O(n).
 template <class Visit>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 #include "kernel/cell_order.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 /// Fewer points than these a thread are not worth one.
 constexpr std::size_t kThreadPoints = 1u << 16;
+
+/// Of points that are ordered at a time: with the scratch for it they fit into the inner caches.
+constexpr std::size_t kRangePoints = 1u << 11;
 
 Box box_of_all(std::span<const Point2> points, unsigned threads) {
   std::vector<Box> boxes(parts_of(points.size(), kThreadPoints, threads));
@@ -61,19 +65,17 @@ class KeyRanges {
     unsigned bits;  ///< the lowest, in which its keys may differ
   };
 
-  /// Of the points in a range. With the scratch for it they fit into the inner caches, unless that takes more
-  /// ranges than memory can be written to at a time.
+  /// More than kRangePoints where there would be more ranges than memory can be written to at a time.
   std::size_t wanted_size() const noexcept {
-    constexpr std::size_t kRangePoints = 1u << 11, kMostRanges = 1u << 11;
+    constexpr std::size_t kMostRanges = 1u << 11;
     return std::max(kRangePoints, points_.size() / kMostRanges);
   }
   /// Upper bits that ranges may begin with: some points a prefix.
   static unsigned prefix_bits(std::size_t points) noexcept {
     constexpr unsigned kMost = 16, kPointsBits = 4;
-    return std::clamp(static_cast<unsigned>(std::bit_width(points)), kPointsBits, kMost + kPointsBits) -
-           kPointsBits;
+    return std::min(kMost, static_cast<unsigned>(std::bit_width(points)) - kPointsBits);
   }
-  std::size_t prefix_of(std::uint32_t key) const noexcept { return std::uint64_t{key} >> shift_; }
+  std::size_t prefix_of(std::uint32_t key) const noexcept { return key >> shift_; }
 
   std::vector<Counts> count_prefixes() const;
   void divide(const std::vector<Counts>& counts);
@@ -138,6 +140,31 @@ void KeyRanges::deal_out(SpatialOrder& order) {
   });
 }
 
+/// The points as they come, with rows and keys, and these put in order. Returns whether points are equal.
+bool order_few(std::span<const Point2> points, SpatialOrder& order) {
+  std::iota(order.rows.begin(), order.rows.end(), 0u);
+  std::copy(points.begin(), points.end(), order.sites.begin());
+  morton_keys(points, order.keys);
+  constexpr unsigned kKeyBits = 32;
+  return CellOrder().order_by_keys({order.rows, order.sites}, order.keys, kKeyBits) < points.size();
+}
+
+/// The same, range by range of keys.
+bool order_many(std::span<const Point2> points, unsigned threads, SpatialOrder& order) {
+  KeyRanges ranges(points, threads);
+  ranges.deal_out(order);
+  std::atomic<bool> duplicates{false};
+  const auto workers = static_cast<unsigned>(parts_of(points.size(), kThreadPoints, threads));
+  parallel_chunks(ranges.size(), 1, workers, [&] {
+    return [&, cells = CellOrder()](std::size_t begin, std::size_t end) mutable {
+      for (std::size_t range = begin; range < end; ++range) {
+        if (ranges.put_in_order(order, range, cells)) duplicates = true;
+      }
+    };
+  });
+  return duplicates;
+}
+
 /// Notes where the rows of each site start, and keeps one key and one point a site.
 void part_sites(SpatialOrder& order) {
   std::uint32_t sites = 0;
@@ -162,22 +189,12 @@ void morton_keys(std::span<const Point2> points, std::span<std::uint32_t> keys) 
 
 SpatialOrder spatial_order(std::span<const Point2> points, unsigned threads) {
   SpatialOrder order;
-  if (points.empty()) return order;
-  KeyRanges ranges(points, threads);
   order.rows = Array<std::uint32_t>(points.size());
   order.keys = Array<std::uint32_t>(points.size());
   order.sites = Array<Point2>(points.size());
-  ranges.deal_out(order);
-
-  std::atomic<bool> duplicates{false};
-  const auto workers = static_cast<unsigned>(parts_of(points.size(), kThreadPoints, threads));
-  parallel_chunks(ranges.size(), 1, workers, [&] {
-    return [&, cells = CellOrder()](std::size_t begin, std::size_t end) mutable {
-      for (std::size_t range = begin; range < end; ++range) {
-        if (ranges.put_in_order(order, range, cells)) duplicates = true;
-      }
-    };
-  });
+  if (points.empty()) return order;
+  const bool duplicates =
+      points.size() <= kRangePoints ? order_few(points, order) : order_many(points, threads, order);
   if (duplicates) part_sites(order);
   return order;
 }
