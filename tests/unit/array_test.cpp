@@ -101,7 +101,10 @@ TEST(Array, IsNotMovedWhereThereIsNothingToGiveBack) {
 TEST(Array, LeavesNoAddressesBehind) {
   if (!can_map_huge_pages()) return;
   const std::size_t before = process_bytes().addresses;
-  for (std::size_t i = 0; i < 1000; ++i) Array<std::uint8_t> array(kHugePage + i * 4096);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    const std::size_t bytes = kHugePage + i * 4096;
+    thalweg::detail::deallocate_array(thalweg::detail::allocate_array(bytes, 1), bytes, 1);
+  }
   EXPECT_LT(process_bytes().addresses, before + 100 * kHugePage);
 }
 
