@@ -201,38 +201,38 @@ void Packing::pack_twins() {
   cut_short(mesh_.twin, 3 * std::size_t{face_count()});
 }
 
-/// Gives the hull its new numbers. Returns for every site whether it is on the hull, if several parts are to
-/// know.
+/// Lets the sites on the hull be left by the half-edge along it. Returns for every site whether it is one.
 Array<std::uint8_t> Packing::pack_hull() {
-  const bool told = parts_ > 1;
-  Array<std::uint8_t> on_hull(told ? slot_count_ / 2 + 1 : 0, std::uint8_t{0});
+  Array<std::uint8_t> on_hull(outgoing_.size(), std::uint8_t{0});
   each_block([&](std::size_t b) {
-    for (Index& h : hull_of(blocks_[b])) {
-      if (told) on_hull[mesh_.origin[h]] = 1;  // no other thread's: one edge along the hull leaves a site
-      h = renumbering()(h);
+    for (const Index h : hull_of(blocks_[b])) {
+      const Index site = mesh_.origin[h];  // no other thread's: one edge along the hull leaves it
+      on_hull[site] = 1;
+      outgoing_[site] = renumbering()(h);
     }
   });
   return on_hull;
 }
 
 /// Three words a face from four a slot, with the names of the sites, for a range of blocks; and for the sites
-/// that lie where its triangles do, the first of its half-edges that leave them. Those that leave others'
-/// sites within the hull are strays.
+/// within the hull that lie where its triangles do, the first of its half-edges that leave them. Those that
+/// leave others' are strays.
 void Packing::pack_corners(std::size_t begin, std::size_t end, std::span<const Index> names,
                            std::span<const std::uint8_t> on_hull, Strays& strays) {
   const std::size_t low = begin * kBlockSites;
   const std::size_t high = end == blocks_.size() ? outgoing_.size() : end * kBlockSites;
   Index* const outgoing = outgoing_.data();
-  std::fill(outgoing + low, outgoing + high, kNone);
+  for (std::size_t v = low; v < high; ++v) outgoing[v] = on_hull[v] != 0 ? outgoing[v] : kNone;
   for (std::size_t b = begin; b < end; ++b) {
     each_face(b, [=, this, origins = mesh_.origin.data(), &strays](Index slot, Index first) {
       const Index* const of_slot = origins + 4 * std::size_t{slot};
       for (Index i = 0; i < 3; ++i) {
         const Index v = of_slot[i];
         origins[first + i] = names.empty() ? v : names[v];
+        if (on_hull[v] != 0) continue;
         if (v - low < high - low) {
           outgoing[v] = std::min(outgoing[v], first + i);
-        } else if (on_hull[v] == 0) {
+        } else {
           add_stray(strays, v, first + i);
         }
       }
@@ -240,8 +240,8 @@ void Packing::pack_corners(std::size_t begin, std::size_t end, std::span<const I
   }
 }
 
-/// Gives every site its name, and the half-edge that is to leave it: that along the hull, or else the first
-/// of all. Each thread has met the first half-edges of some sites; what else leaves these, others have found.
+/// Gives every site its name, and those within the hull the first half-edge of all that leave them: each
+/// thread has met those of some sites, and what else leaves these, others have found.
 void Packing::find_outgoing(const VertexNames& names, const std::vector<Strays>& strays) {
   if (!names.of_site.empty()) {
     Array<Index> named(names.count);
@@ -258,17 +258,14 @@ void Packing::find_outgoing(const VertexNames& names, const std::vector<Strays>&
       }
     }
   });
-  each_block([&](std::size_t b) {
-    for (const Index h : hull_of(blocks_[b])) outgoing_[mesh_.origin[h]] = h;
-  });
 }
 
 Triangulation Packing::run(const VertexNames& names) {
   hull_ = Array<Index>(ghost_count_);
   each_block([&](std::size_t b) { cut_off_ghosts(b); });
   pack_twins();
-  const Array<std::uint8_t> on_hull = pack_hull();
   outgoing_ = Array<Index>(slot_count_ / 2 + 1);
+  const Array<std::uint8_t> on_hull = pack_hull();
   std::vector<Strays> strays(parts_, Strays(parts_));  // of each part
   each_wave([&](std::size_t part, std::size_t begin, std::size_t end) {
     pack_corners(begin, end, names.of_site, on_hull, strays[part]);

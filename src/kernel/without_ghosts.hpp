@@ -18,8 +18,8 @@ struct VertexNames {
 
 /// The triangles alone; all_collinear if there are none.
 /// Laws: the arrays do not depend on `threads`.
-/// Complexity: O(n); 4 bytes a site, on several threads one more, and 4 an edge of the hull, beside those of
-/// `mesh`, a quarter of which is given back; with names 4 more for a while.
+/// Complexity: O(n); 5 bytes a site and 4 an edge of the hull beside those of `mesh`, a quarter of which is
+/// given back; with names 4 more a vertex.
 Result<Triangulation> without_ghosts(GhostedTriangulation mesh, const VertexNames& names, unsigned threads);
 
 }  // namespace thalweg::detail
