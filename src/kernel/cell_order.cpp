@@ -35,13 +35,6 @@ std::uint32_t sort_few(const Cell& cell) noexcept {
 
 }  // namespace
 
-Box box_of(std::span<const Point2> points) noexcept {
-  const auto [x, y] = points.front();
-  Box box{x, x, y, y};
-  for (const Point2 p : points) box.add(p);
-  return box;
-}
-
 /// Puts the point that is at position(i) at i, for every i.
 template <class Position>
 void CellOrder::arrange(const Cell& cell, const Position& position) {

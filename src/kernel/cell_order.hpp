@@ -43,7 +43,4 @@ class CellOrder {
   Array<std::uint32_t> rows_;
 };
 
-/// The bounding box. Requires: there are points.
-Box box_of(std::span<const Point2> points) noexcept;
-
 }  // namespace thalweg::detail

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "thalweg/point.hpp"
 
 namespace thalweg::detail {
 
-struct Box {
+/// Parallel to the axes.
+struct BoundingBox {
   double low_x, high_x, low_y, high_y;
 
   void add(Point2 p) noexcept {
@@ -19,6 +21,14 @@ struct Box {
     high_y = std::max(high_y, p.y);
   }
 };
+
+/// The bounding box. Requires: there are points.
+inline BoundingBox box_of(std::span<const Point2> points) noexcept {
+  const auto [x, y] = points.front();
+  BoundingBox box{x, x, y, y};
+  for (const Point2 p : points) box.add(p);
+  return box;
+}
 
 /// Where a coordinate lies in a box, as an integer of 16 bits.
 ///
@@ -33,7 +43,7 @@ struct MortonGrid {
 
   static constexpr double kCells = 65536;
 
-  explicit MortonGrid(const Box& box) {
+  explicit MortonGrid(const BoundingBox& box) {
     const auto [low_x, high_x, low_y, high_y] = box;
     const double size = std::max({std::fabs(low_x), std::fabs(high_x), std::fabs(low_y), std::fabs(high_y)});
     if (size >= 0x1p1020) shrink = 0x1p-4;

@@ -21,12 +21,12 @@ constexpr std::size_t kThreadPoints = 1u << 16;
 /// Of points that are ordered at a time: with the scratch for it they fit into the inner caches.
 constexpr std::size_t kRangePoints = 1u << 11;
 
-Box box_of_all(std::span<const Point2> points, unsigned threads) {
-  std::vector<Box> boxes(parts_of(points.size(), kThreadPoints, threads));
+BoundingBox box_of_all(std::span<const Point2> points, unsigned threads) {
+  std::vector<BoundingBox> boxes(parts_of(points.size(), kThreadPoints, threads));
   parallel_parts(points.size(), boxes.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     boxes[part] = box_of(points.subspan(begin, end - begin));
   });
-  for (const Box& box : boxes) {
+  for (const BoundingBox& box : boxes) {
     boxes[0].add({box.low_x, box.low_y});
     boxes[0].add({box.high_x, box.high_y});
   }
