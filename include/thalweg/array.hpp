@@ -17,9 +17,6 @@ namespace thalweg::detail {
 THALWEG_EXPORT void* allocate_array(std::size_t count, std::size_t size);
 /// Gives back what allocate_array(count, size) returned.
 THALWEG_EXPORT void deallocate_array(void* memory, std::size_t count, std::size_t size) noexcept;
-/// Gives the memory of such an array behind its first `used` bytes back to the system, while the array keeps
-/// the addresses. Returns whether it could.
-THALWEG_EXPORT bool release_behind(void* memory, std::size_t bytes, std::size_t used) noexcept;
 
 /// An allocator for std::vector under which elements that are not given are default-initialised: numbers have
 /// no value yet.
@@ -50,13 +47,5 @@ struct UninitializedAllocator {
 
 template <class T>
 using Array = std::vector<T, UninitializedAllocator<T>>;
-
-/// Takes all but the first `count` elements from an array, and their memory, without moving those that are
-/// left if the system lets it.
-template <class T>
-void cut_short(Array<T>& array, std::size_t count) {
-  array.resize(count);
-  if (!release_behind(array.data(), array.capacity() * sizeof(T), count * sizeof(T))) array.shrink_to_fit();
-}
 
 }  // namespace thalweg::detail

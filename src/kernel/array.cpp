@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "kernel/cut_short.hpp"
 #include "kernel/huge_pages.hpp"
 
 namespace thalweg::detail {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/cell_order.hpp"
+#include "kernel/cell_sorter.hpp"
 #include "kernel/morton_grid.hpp"
 #include "kernel/parallel.hpp"
 
@@ -51,7 +51,7 @@ class KeyRanges {
   void deal_out(SpatialOrder& order);
 
   /// Orders what has been dealt out to a range. Returns whether points are equal.
-  bool put_in_order(SpatialOrder& order, std::size_t range, CellOrder& cells) const {
+  bool put_in_order(SpatialOrder& order, std::size_t range, CellSorter& cells) const {
     const auto [begin, size, bits] = ranges_[range];
     const Cell cell{std::span(order.rows).subspan(begin, size), std::span(order.sites).subspan(begin, size)};
     return cells.order_by_keys(cell, std::span(order.keys).subspan(begin, size), bits) < size;
@@ -146,7 +146,7 @@ bool order_few(std::span<const Point2> points, SpatialOrder& order) {
   std::copy(points.begin(), points.end(), order.sites.begin());
   morton_keys(points, order.keys);
   constexpr unsigned kKeyBits = 32;
-  return CellOrder().order_by_keys({order.rows, order.sites}, order.keys, kKeyBits) < points.size();
+  return CellSorter().order_by_keys({order.rows, order.sites}, order.keys, kKeyBits) < points.size();
 }
 
 /// The same, range by range of keys.
@@ -156,7 +156,7 @@ bool order_many(std::span<const Point2> points, unsigned threads, SpatialOrder& 
   std::atomic<bool> duplicates{false};
   const auto workers = static_cast<unsigned>(parts_of(points.size(), kThreadPoints, threads));
   parallel_chunks(ranges.size(), 1, workers, [&] {
-    return [&, cells = CellOrder()](std::size_t begin, std::size_t end) mutable {
+    return [&, cells = CellSorter()](std::size_t begin, std::size_t end) mutable {
       for (std::size_t range = begin; range < end; ++range) {
         if (ranges.put_in_order(order, range, cells)) duplicates = true;
       }

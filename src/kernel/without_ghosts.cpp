@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/cut_short.hpp"
 #include "kernel/parallel.hpp"
 
 namespace thalweg::detail {

@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "kernel/cut_short.hpp"
 #include "kernel/huge_pages.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 /// Few points are sorted by insertion, many by the keys of their box.
-#include "kernel/cell_order.hpp"
+#include "kernel/cell_sorter.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -37,7 +37,7 @@ std::uint32_t sort_few(const Cell& cell) noexcept {
 
 /// Puts the point that is at position(i) at i, for every i.
 template <class Position>
-void CellOrder::arrange(const Cell& cell, const Position& position) {
+void CellSorter::arrange(const Cell& cell, const Position& position) {
   points_.assign(cell.points.begin(), cell.points.end());
   rows_.assign(cell.rows.begin(), cell.rows.end());
   for (std::size_t i = 0; i < cell.size(); ++i) {
@@ -48,7 +48,7 @@ void CellOrder::arrange(const Cell& cell, const Position& position) {
 }
 
 /// Sorts a cell, unless more than `most` points are distinct. Returns how many are.
-std::uint32_t CellOrder::sort_many(const Cell& cell, std::size_t most) {
+std::uint32_t CellSorter::sort_many(const Cell& cell, std::size_t most) {
   std::vector<std::uint32_t> sorted(cell.size());
   std::iota(sorted.begin(), sorted.end(), 0u);
   std::sort(sorted.begin(), sorted.end(), [&cell](std::uint32_t i, std::uint32_t j) {
@@ -65,7 +65,7 @@ std::uint32_t CellOrder::sort_many(const Cell& cell, std::size_t most) {
 /// number of distinct points.
 ///
 /// Whether they are many must not depend on duplicates. More different keys than kCellSites prove it cheaply.
-std::uint32_t CellOrder::order(const Cell& cell, int level) {
+std::uint32_t CellSorter::order(const Cell& cell, int level) {
   if (cell.size() <= kCellSites) return sort_few(cell);
   if (level == kKeyLevels) return sort_many(cell, cell.size());
   Array<KeyedRow> keyed(cell.size());
@@ -86,7 +86,7 @@ std::uint32_t CellOrder::order(const Cell& cell, int level) {
   return distinct;
 }
 
-std::uint32_t CellOrder::order_by_keys(const Cell& cell, std::span<std::uint32_t> keys, unsigned bits) {
+std::uint32_t CellSorter::order_by_keys(const Cell& cell, std::span<std::uint32_t> keys, unsigned bits) {
   keyed_.resize(cell.size());
   other_.resize(cell.size());
   for (std::uint32_t i = 0; i < keyed_.size(); ++i) keyed_[i] = keyed_row(keys[i], i);

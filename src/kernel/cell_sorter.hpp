@@ -25,7 +25,7 @@ struct Cell {
 };
 
 /// Orders one cell after the other, in memory that it keeps.
-class CellOrder {
+class CellSorter {
  public:
   /// Orders points and keys by keys, and points of the same key as all cells are. Returns how many are
   /// distinct. Requires: rows ascend; keys are those of the points in one grid and differ in the lowest
