@@ -78,10 +78,16 @@ std::uint32_t CellSorter::order(const Cell& cell, int level) {
     const std::uint32_t distinct = sort_many(cell, kCellSites);
     if (distinct <= kCellSites) return distinct;
   }
-  arrange(cell, [&keyed](std::size_t i) { return row_of(keyed[i]); });
+  return order_runs(cell, keyed, level + 1);
+}
+
+/// Arranges a cell as its sorted keys are, whose rows are positions in it, and orders what has the same key
+/// at this level. Returns the number of distinct points.
+std::uint32_t CellSorter::order_runs(const Cell& cell, std::span<const KeyedRow> sorted, int level) {
+  arrange(cell, [sorted](std::size_t i) { return row_of(sorted[i]); });
   std::uint32_t distinct = 0;
-  for_each_run(keyed, [&](std::size_t begin, std::size_t end) {
-    distinct += end - begin == 1 ? 1 : order(cell.part(begin, end), level + 1);
+  for_each_run(sorted, [&](std::size_t begin, std::size_t end) {
+    distinct += end - begin == 1 ? 1 : order(cell.part(begin, end), level);
   });
   return distinct;
 }
@@ -92,12 +98,7 @@ std::uint32_t CellSorter::order_by_keys(const Cell& cell, std::span<std::uint32_
   for (std::uint32_t i = 0; i < keyed_.size(); ++i) keyed_[i] = keyed_row(keys[i], i);
   const std::span<const KeyedRow> sorted = radix_sort(keyed_, other_, bits);
   std::transform(sorted.begin(), sorted.end(), keys.begin(), key_of);
-  arrange(cell, [sorted](std::size_t i) { return row_of(sorted[i]); });
-  std::uint32_t distinct = 0;
-  for_each_run(sorted, [&](std::size_t begin, std::size_t end) {
-    distinct += end - begin == 1 ? 1 : order(cell.part(begin, end), 1);
-  });
-  return distinct;
+  return order_runs(cell, sorted, 1);
 }
 
 }  // namespace thalweg::detail

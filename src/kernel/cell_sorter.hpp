@@ -34,6 +34,7 @@ class CellSorter {
 
  private:
   std::uint32_t order(const Cell& cell, int level);
+  std::uint32_t order_runs(const Cell& cell, std::span<const KeyedRow> sorted, int level);
   std::uint32_t sort_many(const Cell& cell, std::size_t most);
   template <class Position>
   void arrange(const Cell& cell, const Position& position);
