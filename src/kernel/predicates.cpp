@@ -50,7 +50,23 @@ static_assert(2 * (WordScale::kBits + 1) + 1 <= 126 && 2 * (2 * (WordScale::kBit
 
 #endif
 
-}  // namespace
+// The filter's bound of 11u P, with P itself in place of S^2 / 3, which is far more where d is close to a
+// corner but not to all: long thin triangles on a curve. P as computed may be low by t(11), and the bound by
+// two more: 11u (1 + 16u). Underflow moves the determinant by 12 S errors of 2^-1075 and 6 more (see
+// kUnderflowMargin), and P by no more: with S < 2^70 both are lost in the margin.
+MaybeSign beyond_products(const RoundedCircle& circle, Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
+  constexpr double kBound = 12 * kUnitRoundoff;
+  static_assert(kBound >= 11 * kUnitRoundoff * (1 + 64 * kUnitRoundoff));
+  if (!(circle.size < 0x1p70)) return std::nullopt;
+  const double ax = std::fabs(a.x - d.x), ay = std::fabs(a.y - d.y);
+  const double bx = std::fabs(b.x - d.x), by = std::fabs(b.y - d.y);
+  const double cx = std::fabs(c.x - d.x), cy = std::fabs(c.y - d.y);
+  const double products = (ax * ax + ay * ay) * (bx * cy + by * cx) +
+                          (bx * bx + by * by) * (cx * ay + cy * ax) +
+                          (cx * cx + cy * cy) * (ax * by + ay * bx);
+  if (std::fabs(circle.det) > kBound * products + kUnderflowMargin) return sign_of(circle.det);
+  return std::nullopt;
+}
 
 // If every coordinate is a multiple of g and S, the sum of squared distances from d, is at most 2^25.5 g^2,
 // then nothing in rounded_circle is rounded: differences are multiples of g, squares and minors of g^2, terms
@@ -59,9 +75,8 @@ static_assert(2 * (WordScale::kBits + 1) + 1 <= 126 && 2 * (2 * (WordScale::kBit
 // magnitude rounds it to a multiple of g, or of more: if it comes back unchanged, it is one. (With a sign, a
 // sum below 2^52 g would be rounded to multiples of g / 2.) Range: exponents of S within +-400 keep every
 // power used here normal.
-MaybeSign incircle_grid(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
-  const auto [det, size] = rounded_circle(a, b, c, d);
-  const int e = exponent_of(size);
+MaybeSign on_grid(const RoundedCircle& circle, Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
+  const int e = exponent_of(circle.size);
   if (e < -400 || e > 400) return std::nullopt;
   constexpr int kPositive = 1024;  // keeps the shift, which rounds down, off negative numbers
   const int grid = ((2 * e + 2 - 51 + 3 + 4 * kPositive) >> 2) - kPositive;
@@ -71,28 +86,19 @@ MaybeSign incircle_grid(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
     const double magnitude = std::fabs(value);
     return (magnitude + magic) - magic == magnitude;
   };
-  const auto on_grid = [multiple](Point2 p) { return multiple(p.x) & multiple(p.y); };
-  if (on_grid(a) & on_grid(b) & on_grid(c) & on_grid(d)) return sign_of(det);
+  const auto multiples = [multiple](Point2 p) { return multiple(p.x) & multiple(p.y); };
+  if (multiples(a) & multiples(b) & multiples(c) & multiples(d)) return sign_of(circle.det);
   return std::nullopt;
 }
 
-// The filter's bound of 11u P, with P itself in place of S^2 / 3, which is far more where d is close to a
-// corner but not to all: long thin triangles on a curve. P as computed may be low by t(11), and the bound by
-// two more: 11u (1 + 16u). Underflow moves the determinant by 12 S errors of 2^-1075 and 6 more (see
-// kUnderflowMargin), and P by no more: with S < 2^70 both are lost in the margin.
+}  // namespace
+
 MaybeSign incircle_products(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
-  constexpr double kBound = 12 * kUnitRoundoff;
-  static_assert(kBound >= 11 * kUnitRoundoff * (1 + 64 * kUnitRoundoff));
-  const auto [det, size] = rounded_circle(a, b, c, d);
-  if (!(size < 0x1p70)) return std::nullopt;
-  const double ax = std::fabs(a.x - d.x), ay = std::fabs(a.y - d.y);
-  const double bx = std::fabs(b.x - d.x), by = std::fabs(b.y - d.y);
-  const double cx = std::fabs(c.x - d.x), cy = std::fabs(c.y - d.y);
-  const double products = (ax * ax + ay * ay) * (bx * cy + by * cx) +
-                          (bx * bx + by * by) * (cx * ay + cy * ax) +
-                          (cx * cx + cy * cy) * (ax * by + ay * bx);
-  if (std::fabs(det) > kBound * products + kUnderflowMargin) return sign_of(det);
-  return std::nullopt;
+  return beyond_products(rounded_circle(a, b, c, d), a, b, c, d);
+}
+
+MaybeSign incircle_grid(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
+  return on_grid(rounded_circle(a, b, c, d), a, b, c, d);
 }
 
 #if defined(THALWEG_HAS_INT128)
@@ -153,10 +159,14 @@ int orient2d_unfiltered(Point2 a, Point2 b, Point2 c) noexcept {
   return sign ? *sign : orient2d_exact(a, b, c);
 }
 
+// Products say nothing about 0, which points of a lattice on one circle give.
 int incircle_unfiltered(Point2 a, Point2 b, Point2 c, Point2 d) noexcept {
   THALWEG_ASSERT(finite(a, b, c, d));
-  if (const MaybeSign sign = incircle_grid(a, b, c, d)) return *sign;
-  if (const MaybeSign sign = incircle_products(a, b, c, d)) return *sign;
+  const RoundedCircle circle = rounded_circle(a, b, c, d);
+  if (circle.det != 0) {
+    if (const MaybeSign sign = beyond_products(circle, a, b, c, d)) return *sign;
+  }
+  if (const MaybeSign sign = on_grid(circle, a, b, c, d)) return *sign;
   const MaybeSign sign = incircle_words(a, b, c, d);
   return sign ? *sign : incircle_exact(a, b, c, d);
 }

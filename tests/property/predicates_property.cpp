@@ -188,7 +188,7 @@ std::string printed(const Tuple& tuple) {
   return text;
 }
 
-enum Stage { kFilter, kGrid, kProducts, kWords, kExact, kStages };
+enum Stage { kFilter, kProducts, kGrid, kWords, kExact, kStages };
 
 /// Without wide integers the stage of words never answers; the others must still be right.
 #if defined(THALWEG_HAS_INT128)
@@ -213,22 +213,22 @@ std::array<std::uint64_t, kStages> run_cases(Check check) {
     }
   }
   std::printf(
-      "decided by filter %llu, grid %llu, products %llu, words %llu, exact %llu\n",
-      static_cast<unsigned long long>(decided[kFilter]), static_cast<unsigned long long>(decided[kGrid]),
-      static_cast<unsigned long long>(decided[kProducts]), static_cast<unsigned long long>(decided[kWords]),
+      "decided by filter %llu, products %llu, grid %llu, words %llu, exact %llu\n",
+      static_cast<unsigned long long>(decided[kFilter]), static_cast<unsigned long long>(decided[kProducts]),
+      static_cast<unsigned long long>(decided[kGrid]), static_cast<unsigned long long>(decided[kWords]),
       static_cast<unsigned long long>(decided[kExact]));
   return decided;
 }
 
 /// Every stage that answers must answer the truth.
-Stage expect_stages(int truth, MaybeSign filter, MaybeSign grid, MaybeSign products, MaybeSign words,
+Stage expect_stages(int truth, MaybeSign filter, MaybeSign products, MaybeSign grid, MaybeSign words,
                     int exact) {
   EXPECT_EQ(filter.value_or(truth), truth) << "filter";
-  EXPECT_EQ(grid.value_or(truth), truth) << "grid";
   EXPECT_EQ(products.value_or(truth), truth) << "products";
+  EXPECT_EQ(grid.value_or(truth), truth) << "grid";
   EXPECT_EQ(words.value_or(truth), truth) << "words";
   EXPECT_EQ(exact, truth) << "exact";
-  return filter ? kFilter : grid ? kGrid : products ? kProducts : words ? kWords : kExact;
+  return filter ? kFilter : products ? kProducts : grid ? kGrid : words ? kWords : kExact;
 }
 
 TEST(PredicatesAgainstOracle, Orient2d) {
@@ -249,11 +249,11 @@ TEST(PredicatesAgainstOracle, Incircle) {
     const int truth = oracle::incircle(a, b, c, d);
     EXPECT_EQ(thalweg::incircle(a, b, c, d), truth);
     return expect_stages(
-        truth, thalweg::detail::incircle_filter(a, b, c, d), thalweg::detail::incircle_grid(a, b, c, d),
-        thalweg::detail::incircle_products(a, b, c, d), thalweg::detail::incircle_words(a, b, c, d),
+        truth, thalweg::detail::incircle_filter(a, b, c, d), thalweg::detail::incircle_products(a, b, c, d),
+        thalweg::detail::incircle_grid(a, b, c, d), thalweg::detail::incircle_words(a, b, c, d),
         thalweg::detail::incircle_exact(a, b, c, d));
   });
-  for (const Stage stage : {kFilter, kGrid, kProducts, kExact}) EXPECT_GT(decided[stage], kFewest) << stage;
+  for (const Stage stage : {kFilter, kProducts, kGrid, kExact}) EXPECT_GT(decided[stage], kFewest) << stage;
   EXPECT_GE(decided[kWords], kFewestByWords);
 }
 
