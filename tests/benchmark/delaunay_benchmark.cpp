@@ -1,8 +1,9 @@
 /// From points in memory to a Triangulation with the caller's ids: order, triangulation and output included;
-/// and the spatial order alone.
+/// two of them at once; and the spatial order alone.
 #include "thalweg/delaunay.hpp"
 
 #include <cstdint>
+#include <thread>
 
 #include "benchmark/cgal_benchmark.hpp"
 #include "benchmark/run.hpp"
@@ -20,6 +21,24 @@ void add_delaunay(const SetOfSites& set, unsigned threads) {
       benchmark::DoNotOptimize(triangulation);
     });
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+  });
+}
+
+/// Two triangulations at the same time, each on one thread: what two cores have to give that share caches,
+/// memory and a host, and about the most that one triangulation can gain by two threads.
+void add_two_at_once(const SetOfSites& set) {
+  bench::add(bench::name_of("two_at_once", set, {.threads = 2}), [=](benchmark::State& state) {
+    const auto points = bench::places(set);
+    const auto triangulate = [&points] {
+      auto triangulation = thalweg::delaunay(points, {.threads = 1});
+      benchmark::DoNotOptimize(triangulation);
+    };
+    bench::repeat(state, [&] {
+      std::thread other(triangulate);
+      triangulate();
+      other.join();
+    });
+    state.SetItemsProcessed(2 * state.iterations() * static_cast<std::int64_t>(points.size()));
   });
 }
 
@@ -42,6 +61,7 @@ int main(int argc, char** argv) {
       add_delaunay(set, threads);
       if (set.count <= 1'000'000) add_spatial_sort(set, threads);
     }
+    add_two_at_once(set);
     bench::add_cgal(set);
   }
   return bench::run(argc, argv);

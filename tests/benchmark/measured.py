@@ -43,6 +43,10 @@ class Measured:
     def real_milliseconds(self, name):
         return self.value(name, "real_time")
 
+    def least_real_milliseconds(self, name):
+        runs = self.runs.get(name)
+        return min(run["real_time"] for run in runs) if runs else None
+
     def spread(self):
         """The largest difference between repetitions of one benchmark, as a part of its median."""
         parts = [0.0]

@@ -57,7 +57,7 @@ weigh() {
   echo "$1 $2 $bytes"
 }
 
-run_a() { measure a delaunay "^(delaunay|cgal)/([a-z_]+/$sites|[^/]+/all)(/threads:2)?$"; }
+run_a() { measure a delaunay "^(delaunay|two_at_once|cgal)/([a-z_]+/$sites|[^/]+/all)(/threads:2)?$"; }
 run_b() { measure b terrain "^((flip|hull|best)/uniform/$sites/k:8(/threads:2)?|cgal/uniform/$sites)$"; }
 run_c() {
   measure c_delaunay delaunay "^(delaunay|cgal)/uniform/($sites|$many)(/threads:2)?$"
