@@ -1,6 +1,7 @@
 /// Jobs in a list, and threads that look there.
 #include "kernel/thread_team.hpp"
 
+#include <chrono>
 #include <new>
 #include <system_error>
 
@@ -9,12 +10,21 @@ namespace {
 
 thread_local ThreadTeam* current_team = nullptr;
 
+/// Waits until ready(), but not long, and lets others have the processor meanwhile.
+template <class Ready>
+void look_until(const Ready& ready) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::microseconds kPatience(200);
+  for (const auto end = Clock::now() + kPatience; !ready() && Clock::now() < end;) std::this_thread::yield();
+}
+
 }  // namespace
 
 ThreadTeam::~ThreadTeam() {
   {
     const std::lock_guard guard(lock_);
     over_ = true;
+    ++news_;
   }
   posted_.notify_all();
   for (std::thread& thread : threads_) thread.join();
@@ -26,6 +36,7 @@ void ThreadTeam::post(Job& job) {
     const std::lock_guard guard(lock_);
     job.next = jobs_;
     jobs_ = &job;
+    ++news_;
     start_threads(helpers);
   }
   helpers == 1 ? posted_.notify_one() : posted_.notify_all();
@@ -37,6 +48,11 @@ void ThreadTeam::withdraw(Job& job) {
   Job** link = &jobs_;
   while (*link != &job) link = &(*link)->next;
   *link = job.next;
+  if (job.running > 0) {
+    guard.unlock();
+    look_until([&] { return job.running == 0; });
+    guard.lock();
+  }
   ended_.wait(guard, [&] { return job.running == 0; });
 }
 
@@ -45,6 +61,15 @@ ThreadTeam::Job* ThreadTeam::open_job() const noexcept {
     if (job->wanted > 0) return job;
   }
   return nullptr;
+}
+
+/// Returns when there is one, when the team is over, or after a while. Others can post meanwhile.
+void ThreadTeam::look_for_job(std::unique_lock<std::mutex>& guard) {
+  if (over_ || open_job() != nullptr) return;
+  const unsigned known = news_;
+  guard.unlock();
+  look_until([&] { return news_ != known; });
+  guard.lock();
 }
 
 /// So that so many are idle, if there may be as many.
@@ -62,6 +87,7 @@ void ThreadTeam::help() {
   current_team = this;
   std::unique_lock guard(lock_);
   for (;;) {
+    look_for_job(guard);
     posted_.wait(guard, [this] { return over_ || open_job() != nullptr; });
     Job* const job = open_job();
     if (job == nullptr) return;

@@ -1,6 +1,7 @@
 /// Threads that are kept for as long as a call takes, and wait for work in between.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,8 @@ namespace thalweg::detail {
 
 /// Shares work with threads of its own. They are started when they are first needed, and end with the team:
 /// to wake one takes a fraction of the time in which one is started, and a call shares work twenty times.
+/// Whoever has nothing to do looks for it for a while before it sleeps, since where a hypervisor has to be
+/// asked, to wake it takes a tenth of a millisecond.
 class ThreadTeam {
  public:
   /// Of at most so many threads, the calling one included.
@@ -36,19 +39,21 @@ class ThreadTeam {
   struct Job {
     void (*call)(const void*);
     const void* context;
-    unsigned wanted;   ///< helpers that may still begin
-    unsigned running;  ///< helpers that have begun and not ended
+    unsigned wanted;                ///< helpers that may still begin
+    std::atomic<unsigned> running;  ///< helpers that have begun and not ended
     Job* next;
   };
 
   void post(Job& job);
   void withdraw(Job& job);
   Job* open_job() const noexcept;
+  void look_for_job(std::unique_lock<std::mutex>& guard);
   void start_threads(unsigned idle);
   void help();
 
-  std::mutex lock_;  // of all that follows
+  std::mutex lock_;  // of all that follows, for whoever changes it
   std::condition_variable posted_, ended_;
+  std::atomic<unsigned> news_{0};  ///< one more for every job, and for the end
   Job* jobs_ = nullptr;
   std::vector<std::thread> threads_;
   unsigned most_;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -91,6 +93,20 @@ TEST(ThreadTeam, HasNoMoreThreadsThanItMay) {
 }
 
 /// Who has work of its own to share waits only for those who have begun it.
+/// Looking for work ends. The bound is a hundred times what two helpers may look for.
+TEST(ThreadTeam, SleepsWhereThereIsNoWork) {
+  ThreadTeam team(3);
+  Meeting meeting(3);
+  const auto run = [&] { meeting.join(); };
+  team.share(run, 2);
+  const std::clock_t before = std::clock();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 25);
+  Meeting again(3);
+  const auto run_again = [&] { again.join(); };
+  team.share(run_again, 2);
+}
+
 TEST(ThreadTeam, SharesWithinWhatIsShared) {
   ThreadTeam team(3);
   for (int i = 0; i < 200; ++i) {
