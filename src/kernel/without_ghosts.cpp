@@ -59,15 +59,15 @@ class Packing {
   static Index is_ghost(const Index* corners) noexcept {
     return (corners[0] | corners[1] | corners[2]) >> 31;  // no site has this bit
   }
-  /// The packed number of a half-edge of a face; none of none. A copy of its own: who writes numbers might
-  /// change what `this` says.
+  /// The packed number of a half-edge; none of a ghost's. A copy of its own: who writes numbers might change
+  /// what `this` says.
   auto renumbering() const noexcept {
     return [blocks = blocks_.data(), origins = mesh_.origin.data()](Index h) {
-      if (h == kNone) return kNone;
       const Block block = blocks[h / (4 * kBlockSlots)];
       if (block.ghosts == 0) [[likely]]
         return h - h / 4 - 3 * block.ghosts_before;
-      return origins[h | 3] + h % 4;
+      const Index first = origins[h | 3];
+      return first == kNone ? kNone : first + h % 4;  // a choice; a branch would be a guess on a curve
     };
   }
 
@@ -105,7 +105,7 @@ class Packing {
   void find_outgoing(const VertexNames& names, const std::vector<Strays>& strays);
 
   /// In blocks with ghosts, the word of `origin` that has no corner comes to have the first half-edge of the
-  /// packed face.
+  /// packed face, or kNone in a ghost.
   GhostedTriangulation mesh_;
   Index slot_count_;
   Index ghost_count_ = 0;
@@ -175,18 +175,23 @@ void Packing::count_ghosts() {
   }
 }
 
-/// Lets the hull have no twin, notes it, and numbers the faces, if there are ghosts.
+/// Numbers the faces, and notes what is behind the ghosts, if there are any.
 void Packing::cut_off_ghosts(std::size_t block) {
-  if (blocks_[block].ghosts == 0) return;
-  each_face(block,
-            [origins = mesh_.origin.data()](Index slot, Index h) { origins[4 * std::size_t{slot} + 3] = h; });
+  const auto [before, ghosts] = blocks_[block];
+  if (ghosts == 0) return;
+  Index* const origins = mesh_.origin.data();
+  Index h = 3 * (first_slot(block) - before);
+  for (Index slot = first_slot(block), end = end_slot(block); slot < end; ++slot) {
+    Index* const of_slot = origins + 4 * std::size_t{slot};
+    const Index ghost = is_ghost(of_slot);
+    of_slot[3] = ghost != 0 ? kNone : h;
+    h += 3 - 3 * ghost;
+  }
   Slots room;
   std::ranges::transform(slots_of(block, true, room), hull_of(blocks_[block]).begin(), [&](Index ghost) {
-    Index h = 4 * ghost;
-    while (mesh_.origin[prev_of(h)] != kGhost) ++h;
-    const Index along = mesh_.twin[h];
-    mesh_.twin[along] = kNone;
-    return along;
+    Index side = 4 * ghost;
+    while (origins[prev_of(side)] != kGhost) ++side;
+    return mesh_.twin[side];
   });
 }
 
