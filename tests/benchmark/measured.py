@@ -40,6 +40,13 @@ class Measured:
         runs = self.runs.get(name)
         return min(run[self.time_key(name)] for run in runs) if runs else None
 
+    def milliseconds_without_system(self, name):
+        """CPU time of one thread but for what the system did for it; None of more threads, or if not counted."""
+        runs = self.runs.get(name)
+        if not runs or "/threads:" in name or "system_ms" not in runs[0]:
+            return None
+        return statistics.median(run["cpu_time"] - run["system_ms"] for run in runs)
+
     def real_milliseconds(self, name):
         return self.value(name, "real_time")
 

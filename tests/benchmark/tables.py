@@ -97,16 +97,17 @@ class Tables:
         rows = []
         for title, method, m, name in jobs:
             row = [title]
-            for value in (m.milliseconds, m.least_milliseconds, lambda name: m.value(name, "system_ms")):
+            for value in (m.milliseconds, m.least_milliseconds, m.milliseconds_without_system):
                 times = [value(name.format(n)) for n in (few, many)]
                 row += [*map(number, times), number(ratio(times[1], times[0]))]
-            rows.append(row[:-1] + [number(bytes_of.get((str(n), method))) for n in (few, many)])
+            rows.append(row + [number(bytes_of.get((str(n), method))) for n in (few, many)])
         sizes = [f"{n:,}" for n in (few, many)]
         print_table(["", "ms, " + sizes[0], sizes[1], "growth", "the least, " + sizes[0], sizes[1], "growth",
-                     "system's CPU ms, " + sizes[0], sizes[1], "peak bytes a site, " + sizes[0], sizes[1]], rows)
+                     "without the system, " + sizes[0], sizes[1], "growth", "peak bytes a site, " + sizes[0], sizes[1]],
+                    rows)
         print("The system clears memory that is touched for the first time; where a hypervisor has to find it first, "
-              "that is a large and a changing part of the time. Peaks are of a whole process on one thread, the input "
-              "included.\n")
+              "that is a large and a changing part of the time of one thread, known apart from the rest. Peaks are of a "
+              "whole process on one thread, the input included.\n")
         self.note(delaunay, hull)
 
     def d(self):
