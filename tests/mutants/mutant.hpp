@@ -163,15 +163,16 @@ constexpr auto operator->*(Negative<N>, A&& a) {
   using Result = std::decay_t<decltype(-a)>;
   return on<N>() ? Result(a) : Result(-a);
 }
+/// As ++a: a, or of an atomic its value.
 template <int N, class A>
-constexpr A& operator->*(Increment<N>, A& a) {
+constexpr decltype(auto) operator->*(Increment<N>, A& a) {
   if constexpr (requires { --a; }) {
     if (on<N>()) return --a;
   }
   return ++a;
 }
 template <int N, class A>
-constexpr A& operator->*(Decrement<N>, A& a) {
+constexpr decltype(auto) operator->*(Decrement<N>, A& a) {
   if (on<N>()) return ++a;
   return --a;
 }
