@@ -10,12 +10,19 @@ namespace {
 
 thread_local ThreadTeam* current_team = nullptr;
 
-/// Waits until ready(), but not long, and lets others have the processor meanwhile.
-template <class Ready>
-void look_until(const Ready& ready) {
+/// Waits until ready(), which is asked with the lock held. Looks for `sign` without it, though not for long,
+/// and lets others have the processor meanwhile; then sleeps.
+template <class Ready, class Sign>
+void wait_until(const Ready& ready, const Sign& sign, std::unique_lock<std::mutex>& guard,
+                std::condition_variable& wake) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::microseconds kPatience(200);
-  for (const auto end = Clock::now() + kPatience; !ready() && Clock::now() < end;) std::this_thread::yield();
+  if (!ready()) {
+    guard.unlock();
+    for (const auto end = Clock::now() + kPatience; !sign() && Clock::now() < end;) std::this_thread::yield();
+    guard.lock();
+  }
+  wake.wait(guard, ready);
 }
 
 }  // namespace
@@ -48,12 +55,8 @@ void ThreadTeam::withdraw(Job& job) {
   Job** link = &jobs_;
   while (*link != &job) link = &(*link)->next;
   *link = job.next;
-  if (job.running > 0) {
-    guard.unlock();
-    look_until([&] { return job.running == 0; });
-    guard.lock();
-  }
-  ended_.wait(guard, [&] { return job.running == 0; });
+  const auto all_ended = [&job] { return job.running == 0; };
+  wait_until(all_ended, all_ended, guard, ended_);
 }
 
 ThreadTeam::Job* ThreadTeam::open_job() const noexcept {
@@ -61,15 +64,6 @@ ThreadTeam::Job* ThreadTeam::open_job() const noexcept {
     if (job->wanted > 0) return job;
   }
   return nullptr;
-}
-
-/// Returns when there is one, when the team is over, or after a while. Others can post meanwhile.
-void ThreadTeam::look_for_job(std::unique_lock<std::mutex>& guard) {
-  if (over_ || open_job() != nullptr) return;
-  const unsigned known = news_;
-  guard.unlock();
-  look_until([&] { return news_ != known; });
-  guard.lock();
 }
 
 /// So that so many are idle, if there may be as many.
@@ -87,8 +81,8 @@ void ThreadTeam::help() {
   current_team = this;
   std::unique_lock guard(lock_);
   for (;;) {
-    look_for_job(guard);
-    posted_.wait(guard, [this] { return over_ || open_job() != nullptr; });
+    wait_until([this] { return over_ || open_job() != nullptr; },
+               [this, known = news_.load()] { return news_ != known; }, guard, posted_);
     Job* const job = open_job();
     if (job == nullptr) return;
     --job->wanted;

@@ -47,7 +47,6 @@ class ThreadTeam {
   void post(Job& job);
   void withdraw(Job& job);
   Job* open_job() const noexcept;
-  void look_for_job(std::unique_lock<std::mutex>& guard);
   void start_threads(unsigned idle);
   void help();
 

@@ -92,7 +92,6 @@ TEST(ThreadTeam, HasNoMoreThreadsThanItMay) {
   }
 }
 
-/// Who has work of its own to share waits only for those who have begun it.
 /// Looking for work ends. The bound is a hundred times what two helpers may look for.
 TEST(ThreadTeam, SleepsWhereThereIsNoWork) {
   ThreadTeam team(3);
@@ -107,6 +106,7 @@ TEST(ThreadTeam, SleepsWhereThereIsNoWork) {
   team.share(run_again, 2);
 }
 
+/// Who has work of its own to share waits only for those who have begun it.
 TEST(ThreadTeam, SharesWithinWhatIsShared) {
   ThreadTeam team(3);
   for (int i = 0; i < 200; ++i) {
