@@ -27,6 +27,11 @@ class Measured:
         runs = self.runs.get(name)
         return statistics.median(run[key] for run in runs) if runs else None
 
+    def least(self, name, key):
+        """`key` of the repetition that was disturbed the least; None if the benchmark was not run."""
+        runs = self.runs.get(name)
+        return min(run[key] for run in runs) if runs else None
+
     @staticmethod
     def time_key(name):
         """CPU time of one thread, real time of more."""
@@ -36,9 +41,7 @@ class Measured:
         return self.value(name, self.time_key(name))
 
     def least_milliseconds(self, name):
-        """What the repetition took that was disturbed the least."""
-        runs = self.runs.get(name)
-        return min(run[self.time_key(name)] for run in runs) if runs else None
+        return self.least(name, self.time_key(name))
 
     def milliseconds_without_system(self, name):
         """CPU time of one thread but for what the system did for it; None of more threads, or if not counted."""
@@ -51,8 +54,7 @@ class Measured:
         return self.value(name, "real_time")
 
     def least_real_milliseconds(self, name):
-        runs = self.runs.get(name)
-        return min(run["real_time"] for run in runs) if runs else None
+        return self.least(name, "real_time")
 
     def spread(self):
         """The largest difference between repetitions of one benchmark, as a part of its median."""
