@@ -50,11 +50,11 @@ measure() {
   }
 }
 
-# weigh N METHOD: a line "N METHOD BYTES" for peak bytes a site, each in a process of its own.
-weigh() {
-  local bytes
-  bytes=$("$programs/benchmark_memory" "$1" uniform "$2" 1) || return 0
-  echo "$1 $2 $bytes"
+# first_call N METHOD: a line "N METHOD BYTES MILLISECONDS", peak bytes a site and time of one call in a process of its own.
+first_call() {
+  local cost
+  cost=$("$programs/benchmark_process" "$1" uniform "$2" 1) || return 0
+  echo "$1 $2 $cost"
 }
 
 run_a() { measure a delaunay "^(delaunay|two_at_once|cgal)/([a-z_]+/$sites|[^/]+/all)(/threads:2)?$"; }
@@ -62,9 +62,12 @@ run_b() { measure b terrain "^((flip|hull|best)/uniform/$sites/k:8(/threads:2)?|
 run_c() {
   measure c_delaunay delaunay "^(delaunay|cgal)/uniform/($sites|$many)(/threads:2)?$"
   measure c_hull terrain "^hull/uniform/($sites|$many)/k:8(/threads:2)?$"
-  for method in delaunay hull cgal; do
-    for n in "$sites" "$many"; do weigh "$n" "$method"; done
-  done >"$results/c_memory.txt"
+  echo "c_process: benchmark_process" >&2
+  for ((round = 0; round < repetitions; ++round)); do
+    for method in delaunay hull cgal; do
+      for n in "$sites" "$many"; do first_call "$n" "$method"; done
+    done
+  done >"$results/c_process.txt"
 }
 run_d() { measure d terrain "^(flip|hull|best)/uniform/($few|$sites)/k:[0-9]+$"; }
 run_e() { measure e files "^(read|write)_(xyz|npy|tlw|ply)/(uniform|lidar)/$sites(/threads:2)?$"; }

@@ -2,6 +2,7 @@
 
 import math
 import os
+import statistics
 import sys
 
 from measured import Measured
@@ -20,6 +21,11 @@ def number(value, digits=3):
 
 def ratio(a, b):
     return a / b if a is not None and b else None
+
+
+def growth(times):
+    """Cells for two times, and by how much the second is larger."""
+    return [*map(number, times), number(ratio(times[1], times[0]))]
 
 
 def print_table(header, rows):
@@ -83,32 +89,48 @@ class Tables:
         self.note(m)
 
     def c(self):
-        delaunay, hull = self.load("c_delaunay"), self.load("c_hull")
         few, many = self.sites, 10 * self.sites
         print(f"### From {few:,} to {many:,} uniform sites; n log n grows {10 * math.log(many) / math.log(few):.1f} "
               "times\n")
-        with open(os.path.join(self.results, "c_memory.txt"), encoding="utf-8") as file:
-            bytes_of = {tuple(line.split()[:2]): float(line.split()[2]) for line in file}
-        jobs = [("delaunay", "delaunay", delaunay, "delaunay/uniform/{}"),
-                ("delaunay, 2 threads", None, delaunay, "delaunay/uniform/{}/threads:2"),
-                ("hull, order 8", "hull", hull, "hull/uniform/{}/k:8"),
-                ("hull, order 8, 2 threads", None, hull, "hull/uniform/{}/k:8/threads:2"),
-                ("CGAL's delaunay", "cgal", delaunay, "cgal/uniform/{}")]
+        self.first_calls([f"{n:,}" for n in (few, many)], [str(n) for n in (few, many)])
+        delaunay, hull = self.load("c_delaunay"), self.load("c_hull")
+        jobs = [("delaunay", delaunay, "delaunay/uniform/{}"),
+                ("delaunay, 2 threads", delaunay, "delaunay/uniform/{}/threads:2"),
+                ("hull, order 8", hull, "hull/uniform/{}/k:8"),
+                ("hull, order 8, 2 threads", hull, "hull/uniform/{}/k:8/threads:2"),
+                ("CGAL's delaunay", delaunay, "cgal/uniform/{}")]
         rows = []
-        for title, method, m, name in jobs:
+        for title, m, name in jobs:
             row = [title]
             for value in (m.milliseconds, m.least_milliseconds, m.milliseconds_without_system):
-                times = [value(name.format(n)) for n in (few, many)]
-                row += [*map(number, times), number(ratio(times[1], times[0]))]
-            rows.append(row + [number(bytes_of.get((str(n), method))) for n in (few, many)])
-        sizes = [f"{n:,}" for n in (few, many)]
-        print_table(["", "ms, " + sizes[0], sizes[1], "growth", "the least, " + sizes[0], sizes[1], "growth",
-                     "without the system, " + sizes[0], sizes[1], "growth", "peak bytes a site, " + sizes[0], sizes[1]],
-                    rows)
-        print("The system clears memory that is touched for the first time; where a hypervisor has to find it first, "
-              "that is a large and a changing part of the time of one thread, known apart from the rest. Peaks are of a "
-              "whole process on one thread, the input included.\n")
+                row += growth([value(name.format(n)) for n in (few, many)])
+            rows.append(row)
+        sizes = [f"{few:,}", f"{many:,}", "growth"]
+        print_table(["again and again in one process: ms, " + sizes[0], *sizes[1:], "the least, " + sizes[0], *sizes[1:],
+                     "without the system, " + sizes[0], *sizes[1:]], rows)
+        print("The system clears memory that is touched for the first time, and a hypervisor may have to find it first. "
+              "Where calls follow each other, those with few sites get memory that has just been given back, and those "
+              "with many do not.\n")
         self.note(delaunay, hull)
+
+    def first_calls(self, titles, counts):
+        """Time and peak of the first call of a process, on one thread."""
+        calls = {}
+        with open(os.path.join(self.results, "c_process.txt"), encoding="utf-8") as file:
+            for line in file:
+                count, method, size, milliseconds = line.split()
+                calls.setdefault((count, method), []).append((float(size), float(milliseconds)))
+        rows = []
+        for title, method in (("delaunay", "delaunay"), ("hull, order 8", "hull"), ("CGAL's delaunay", "cgal")):
+            costs = [list(zip(*calls.get((count, method), []))) or ([None], [None]) for count in counts]
+            row = [title]
+            for of in (statistics.median, min):
+                row += growth([of(milliseconds) for _, milliseconds in costs])
+            rows.append(row + [number(max(sizes)) for sizes, _ in costs])
+        print_table(["the first call of a process: ms, " + titles[0], titles[1], "growth", "the least, " + titles[0],
+                     titles[1], "growth", "peak bytes a site, " + titles[0], titles[1]], rows)
+        print(f"Wall time on one thread, medians of {max(map(len, calls.values()), default=0)}. Peaks are of the whole "
+              "process, the input included.\n")
 
     def d(self):
         m = self.load("d")
