@@ -12,8 +12,8 @@ namespace thalweg::detail {
 
 /// Memory of so many elements of so many bytes: of operator new, but from 128 KB on straight from the
 /// system in huge pages, where it has them. Touching it for the first time is then up to fifty times cheaper,
-/// and so is reaching far into it. Throws std::bad_alloc: out of line, so that users may compile without
-/// exceptions.
+/// and so is reaching far into it; small pages are taken where a hypervisor makes them the cheaper ones.
+/// Throws std::bad_alloc: out of line, so that users may compile without exceptions.
 THALWEG_EXPORT void* allocate_array(std::size_t count, std::size_t size);
 /// Gives back what allocate_array(count, size) returned.
 THALWEG_EXPORT void deallocate_array(void* memory, std::size_t count, std::size_t size) noexcept;

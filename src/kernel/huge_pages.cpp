@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "kernel/assert.hpp"
+#include "kernel/page_choice.hpp"
 
 namespace thalweg::detail {
 
@@ -116,8 +117,7 @@ void* map_huge_pages(std::size_t bytes) noexcept {
   char* const memory = static_cast<char*>(mapping) + before;
   if (before > 0) munmap(mapping, before);
   munmap(memory + length, kHugePage - before);
-  // A refusal (an old kernel, a setting) changes nothing but the speed.
-  static_cast<void>(madvise(memory, length, MADV_HUGEPAGE));
+  choose_pages(memory, length);
   return memory;
 }
 

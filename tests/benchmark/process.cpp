@@ -1,8 +1,8 @@
-/// benchmark_process N KIND METHOD THREADS: prints what one call costs in a process of its own: the peak memory
-/// of the process in bytes a site, the input included, and the milliseconds of the call. KIND is a set of
-/// sets.hpp, with N = 0 for real terrain; METHOD is none (the input alone), delaunay, cgal, flip, hull or best,
-/// the last three at order 8. One call a process, because a peak never falls, and because memory that a call
-/// before has given back may cost the next one nothing.
+/// benchmark_process N KIND METHOD THREADS: prints what one call costs in a process of its own: the peak
+/// memory of the process in bytes a site, the input included, and the milliseconds of the call. KIND is a set
+/// of sets.hpp, with N = 0 for real terrain; METHOD is none (the input alone), delaunay, cgal, flip, hull or
+/// best, the last three at order 8. One call a process, because a peak never falls, and because memory that a
+/// call before has given back may cost the next one nothing.
 #include <sys/resource.h>
 
 #include <chrono>
@@ -34,8 +34,8 @@ struct Cost {
 constexpr std::pair<const char*, thalweg::Method> kMethods[] = {
     {"flip", thalweg::Method::flip}, {"hull", thalweg::Method::hull}, {"best", thalweg::Method::best}};
 
-/// Milliseconds of call(). It begins when a few seconds have passed: some hypervisors take memory that is free
-/// for so long, and every call is to meet it in the same state, whoever used it before.
+/// Milliseconds of call(). It begins when a few seconds have passed: some hypervisors take memory that is
+/// free for so long, and every call is to meet it in the same state, whoever used it before.
 template <class Call>
 double timed(const Call& call) {
   using Clock = std::chrono::steady_clock;
