@@ -21,5 +21,7 @@
 
 /// Terrains without false pits: a geometry kernel of exact predicates, Delaunay triangulations and their
 /// neighbours of higher order, and what to do with it about pits. Nothing in it prints, exits or throws, but
-/// that std::bad_alloc passes; there is no state but in objects, and `const` is safe for concurrent readers.
+/// that std::bad_alloc passes, and std::length_error where an array outgrows 32-bit addresses. There is no
+/// state but in objects, save what fresh memory has lately cost, on which no result depends; `const` is safe
+/// for concurrent readers.
 namespace thalweg {}
