@@ -49,6 +49,17 @@ void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads, Mak
   if (failure) std::rethrow_exception(failure);
 }
 
+/// Calls first() and second(), at the same time where there are two threads. Neither may read what the other
+/// writes.
+template <class First, class Second>
+void parallel_both(unsigned threads, const First& first, const Second& second) {
+  parallel_chunks(2, 1, threads, [&] {
+    return [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) i == 0 ? first() : second();
+    };
+  });
+}
+
 /// How many of `threads` are worth having for `count` items, of which a thread should have `least` or more.
 inline std::size_t parts_of(std::size_t count, std::size_t least, unsigned threads) noexcept {
   return std::clamp<std::size_t>(count / least, 1, resolve_threads(threads));

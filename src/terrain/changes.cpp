@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "kernel/assert.hpp"
 #include "kernel/parallel.hpp"
 #include "kernel/predicates_inline.hpp"
 
@@ -53,6 +54,14 @@ double larger_cotangent(double largest, Point2 a, Point2 b, Point2 c) {
   if (largest > 0x1p-100 && cross > kLeastCross && dot < least * cross) [[likely]]
     return largest;
   return std::max(largest, cotangent(a, b, c));
+}
+
+/// The largest of `largest` and the cotangents of the triangle's angles.
+double larger_cotangent(double largest, const Surface& surface, const Triangle& t) {
+  const auto at = [&](std::size_t corner) { return surface.sites()[t[corner % 3].index()]; };
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    largest = larger_cotangent(largest, at(corner), at(corner + 1), at(corner + 2));
+  return largest;
 }
 
 }  // namespace
@@ -106,24 +115,38 @@ std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulat
   return orders;
 }
 
-double min_angle_deg(const Surface& surface, const Triangulation& triangulation, unsigned threads) {
+SmallestAngles smallest_angles(const Surface& surface, const Triangulation& triangulation, unsigned threads) {
   // The cotangent falls as the angle grows, so the largest one belongs to the smallest angle.
+  struct Largest {
+    double before = -std::numeric_limits<double>::infinity(), after = before;
+  };
   constexpr std::size_t kChunk = 1 << 14;
   const std::size_t count = triangulation.face_count();
-  std::vector<double> largest((count + kChunk - 1) / kChunk, -std::numeric_limits<double>::infinity());
+  THALWEG_ASSERT(count == surface.delaunay().face_count());
+  std::vector<Largest> largest((count + kChunk - 1) / kChunk);
   parallel_chunks(count, kChunk, threads, [&] {
     return [&](std::size_t begin, std::size_t end) {
-      double most = largest[begin / kChunk];
+      Largest most;
       for (std::size_t i = begin; i < end; ++i) {
-        const Triangle t = triangulation.corners(FaceId(static_cast<std::uint32_t>(i)));
-        const auto at = [&](std::size_t corner) { return surface.sites()[t[corner % 3].index()]; };
-        for (std::size_t corner = 0; corner < 3; ++corner)
-          most = larger_cotangent(most, at(corner), at(corner + 1), at(corner + 2));
+        const FaceId f(static_cast<std::uint32_t>(i));
+        const Triangle before = surface.delaunay().corners(f), after = triangulation.corners(f);
+        if (before == after) {
+          // Where nothing is larger than the smaller of the two, neither grows.
+          const double largest_of_face = larger_cotangent(std::min(most.before, most.after), surface, before);
+          most = {std::max(most.before, largest_of_face), std::max(most.after, largest_of_face)};
+        } else {
+          most = {larger_cotangent(most.before, surface, before),
+                  larger_cotangent(most.after, surface, after)};
+        }
       }
       largest[begin / kChunk] = most;
     };
   });
-  return std::atan2(1.0, *std::max_element(largest.begin(), largest.end())) * (180 / std::numbers::pi);
+  Largest most;
+  for (const auto& [before, after] : largest)
+    most = {std::max(most.before, before), std::max(most.after, after)};
+  const auto degrees = [](double cotangent) { return std::atan2(1.0, cotangent) * (180 / std::numbers::pi); };
+  return {degrees(most.before), degrees(most.after)};
 }
 
 }  // namespace thalweg::detail

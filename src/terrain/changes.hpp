@@ -29,8 +29,12 @@ std::vector<std::uint32_t> orders_after(const Surface& surface, const Triangulat
                                         std::span<const FaceId> changed, unsigned limit, unsigned threads,
                                         std::uint64_t& counts);
 
-/// The smallest angle of any triangle, in degrees. Rounded: for people, not for decisions.
-/// On all threads.
-double min_angle_deg(const Surface& surface, const Triangulation& triangulation, unsigned threads);
+/// The smallest angle of any triangle, in degrees: of the Delaunay triangulation, and of what it has become.
+/// Rounded: for people, not for decisions.
+struct SmallestAngles {
+  double before_deg, after_deg;
+};
+/// Both in one pass, since most triangles are in both. On all threads.
+SmallestAngles smallest_angles(const Surface& surface, const Triangulation& triangulation, unsigned threads);
 
 }  // namespace thalweg::detail

@@ -112,7 +112,15 @@ std::vector<RemovedPit> removed_pits(const Surface& surface, const Pits& after) 
 void describe(const Surface& surface, Outcome& outcome, std::span<const detail::Exit> exits, unsigned k,
               Method method, const Watch& watch, Minimized& result) {
   const Triangulation& t = outcome.triangulation;
-  const Pits after = find_pits(t, surface.z());
+  Pits after;
+  std::vector<FaceId> changed;
+  detail::EdgeChanges edges;
+  detail::parallel_both(
+      watch.threads, [&] { after = find_pits(t, surface.z()); },
+      [&] {
+        changed = detail::changed_faces(surface, t);
+        edges = detail::edge_changes(surface, t, changed);
+      });
   THALWEG_ASSERT(after.size() == outcome.pits);
   result.delaunay_pits = surface.pits().count();
   result.pits = after.count();
@@ -123,16 +131,15 @@ void describe(const Surface& surface, Outcome& outcome, std::span<const detail::
   result.order_searched = explained.order_searched;
   result.removed = removed_pits(surface, after);
 
-  const std::vector<FaceId> changed = detail::changed_faces(surface, t);
   result.circle_counts = outcome.circle_counts;
   result.face_orders = outcome.face_orders.empty()
                            ? detail::orders_after(surface, t, changed, k, watch.threads, result.circle_counts)
                            : std::move(outcome.face_orders);
-  const detail::EdgeChanges edges = detail::edge_changes(surface, t, changed);
   result.edges_changed = edges.changed;
   result.non_delaunay_edges = edges.non_delaunay;
-  result.min_angle_before_deg = detail::min_angle_deg(surface, surface.delaunay(), watch.threads);
-  result.min_angle_after_deg = detail::min_angle_deg(surface, t, watch.threads);
+  const detail::SmallestAngles angles = detail::smallest_angles(surface, t, watch.threads);
+  result.min_angle_before_deg = angles.before_deg;
+  result.min_angle_after_deg = angles.after_deg;
   result.flips = outcome.flips;
   result.insertions = outcome.insertions;
 }
@@ -186,7 +193,7 @@ Result<Minimized> minimize_pits(std::span<const Point3> points, const MinimizeOp
   if (watch.stopped()) return cancelled();
 
   start = std::chrono::steady_clock::now();
-  Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
+  Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay), watch.threads);
   const unsigned k = effective_order(surface, options.order);
   if (options.counter == Counter::voronoi) {
     // Circles of up to k sites are told apart by the k + 1 nearest.
@@ -240,7 +247,7 @@ Result<Sweep> sweep_pits(std::span<const Point3> points, unsigned first, unsigne
   auto delaunay = triangulate(sites, watch);
   if (!delaunay) return std::move(delaunay).error();
 
-  const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay));
+  const Surface surface(std::move(sites.xy), std::move(sites.z), *std::move(delaunay), watch.threads);
   const unsigned most = effective_order(surface, last);
   const std::vector<detail::Exit> exits = detail::find_exits(surface, most, watch.threads, options.cancel);
   std::vector<std::uint32_t> hull_pits, flip_pits;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "kernel/parallel.hpp"
 #include "kernel/radix_sort.hpp"
 
 namespace thalweg::detail {
@@ -19,14 +20,16 @@ std::uint32_t upper_half(double z) noexcept {
 
 }  // namespace
 
-Surface::Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay)
-    : sites_(std::move(sites)),
-      z_(std::move(z)),
-      delaunay_(std::move(delaunay)),
-      graph_(sites_, delaunay_),
-      pits_(find_pits(delaunay_, z_)),
-      pit_of_(sites_.size(), kNoPit),
-      lowest_level_(*std::min_element(z_.begin(), z_.end())) {
+Surface::Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay, unsigned threads)
+    : sites_(std::move(sites)), z_(std::move(z)), delaunay_(std::move(delaunay)) {
+  parallel_both(
+      threads, [this] { graph_.emplace(sites_, delaunay_); }, [this] { note_pits(); });
+}
+
+void Surface::note_pits() {
+  lowest_level_ = *std::min_element(z_.begin(), z_.end());
+  pits_ = find_pits(delaunay_, z_);
+  pit_of_.assign(sites_.size(), kNoPit);
   for (std::uint32_t i = 0; i < pits_.size(); ++i) {
     for (const VertexId v : pits_[i]) pit_of_[v.index()] = i;
   }
@@ -42,7 +45,7 @@ std::optional<Error> Surface::count_by_voronoi(unsigned k, unsigned threads) {
   auto diagram = order_k_voronoi(sites_, k, {threads});
   if (!diagram) return std::move(diagram).error();
   voronoi_.emplace(*std::move(diagram));
-  graph_.count_by(*voronoi_);
+  graph_->count_by(*voronoi_);
   return std::nullopt;
 }
 

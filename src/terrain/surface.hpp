@@ -22,7 +22,7 @@ class Surface {
  public:
   /// Requires: sites distinct, `delaunay` their canonical Delaunay triangulation with the same ids, z of
   /// equal length.
-  Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay);
+  Surface(Array<Point2> sites, Array<double> z, Triangulation delaunay, unsigned threads = 1);
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
 
@@ -30,7 +30,7 @@ class Surface {
   std::span<const double> z() const noexcept { return z_; }
   double z(VertexId v) const noexcept { return z_[v.index()]; }
   const Triangulation& delaunay() const noexcept { return delaunay_; }
-  const DelaunayGraph& graph() const noexcept { return graph_; }
+  const DelaunayGraph& graph() const noexcept { return *graph_; }
 
   /// Builds the order-k Voronoi diagram of the sites for all counting from now on. Returns what went wrong,
   /// if anything. Requires: 1 <= k <= number of sites; no counter exists yet.
@@ -66,10 +66,12 @@ class Surface {
   VertexId lowest(std::span<const VertexId> vertices) const noexcept;
 
  private:
+  void note_pits();
+
   Array<Point2> sites_;
   Array<double> z_;
   Triangulation delaunay_;
-  DelaunayGraph graph_;
+  std::optional<DelaunayGraph> graph_;  ///< always there
   std::optional<OrderKVoronoi> voronoi_;
   Pits pits_;
   Array<std::uint32_t> pit_of_;

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "oracle/terrain.hpp"
@@ -252,8 +253,10 @@ RC_GTEST_PROP(ChangesLaws, EqualAFullRecount, ()) {
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     RC_ASSERT(orders[f] == oracle::triangle_order(s, triangles[f]));
   }
-  const double angle = smallest_angle(s, t);
-  RC_ASSERT(std::abs(min_angle_deg(surface, t, 2) - angle) <= 1e-9 * angle + 1e-12);
+  const auto angles = smallest_angles(surface, t, 2);
+  for (const auto& [deg, expected_deg] : {std::pair(angles.before_deg, smallest_angle(s, surface.delaunay())),
+                                          std::pair(angles.after_deg, smallest_angle(s, t))})
+    RC_ASSERT(std::abs(deg - expected_deg) <= 1e-9 * expected_deg + 1e-12);
 }
 
 TEST(Changes, OfNothingAreNone) {
@@ -265,18 +268,25 @@ TEST(Changes, OfNothingAreNone) {
   EXPECT_EQ(edges.non_delaunay, 0u);
 }
 
+/// Of a triangulation that has not changed.
+double smallest_angle_deg(const Surface& surface) {
+  const auto angles = smallest_angles(surface, surface.delaunay(), 1);
+  EXPECT_EQ(angles.before_deg, angles.after_deg);
+  return angles.before_deg;
+}
+
 TEST(MinAngle, OfRightTriangles) {
   const Surface square = surface_of(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-  EXPECT_NEAR(min_angle_deg(square, square.delaunay(), 1), 45, 1e-12);
+  EXPECT_NEAR(smallest_angle_deg(square), 45, 1e-12);
   const Surface thin = surface_of(std::vector<Point3>{{0, 0, 0}, {1e9, 0, 0}, {0, 1, 0}});
-  EXPECT_NEAR(min_angle_deg(thin, thin.delaunay(), 1), 5.7295779513082e-8, 1e-18);
+  EXPECT_NEAR(smallest_angle_deg(thin), 5.7295779513082e-8, 1e-18);
 }
 
 TEST(MinAngle, OfTheLargestAndTheSmallestTriangles) {
   for (const double size : {1e308, 1e-308}) {
     const Surface square = surface_of(
         std::vector<Point3>{{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}});
-    EXPECT_NEAR(min_angle_deg(square, square.delaunay(), 1), 45, 1e-12) << size;
+    EXPECT_NEAR(smallest_angle_deg(square), 45, 1e-12) << size;
   }
 }
 
@@ -306,7 +316,7 @@ TEST(MinAngle, OfManyTriangles) {
         const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
         least = std::min(least, std::atan2(cross, dot) * 180 / std::acos(-1.0));
       }
-      EXPECT_NEAR(min_angle_deg(surface, t, 1), least, 1e-9 * least) << x << " " << y;
+      EXPECT_NEAR(smallest_angle_deg(surface), least, 1e-9 * least) << x << " " << y;
     }
   }
 }

@@ -156,6 +156,26 @@ TEST(ParallelParts, AreConsecutiveAndEqual) {
   }
 }
 
+TEST(ParallelBoth, CallEachOnceWithOneThreadInOrder) {
+  for (const unsigned threads : {0u, 1u, 2u, 8u}) {
+    int first = 0, second = 0;  // each written by one thread only
+    thalweg::detail::parallel_both(
+        threads, [&] { ++first; }, [&] { second += threads == 1 ? 1 + first : 2; });
+    EXPECT_EQ(first, 1);
+    EXPECT_EQ(second, 2);
+  }
+}
+
+TEST(ParallelBoth, PassOnAnExceptionOfEither) {
+  for (const unsigned threads : {1u, 2u}) {
+    const auto fail = [] { throw std::bad_alloc(); };
+    EXPECT_THROW(thalweg::detail::parallel_both(threads, fail, [] {}), std::bad_alloc);
+    EXPECT_THROW(thalweg::detail::parallel_both(
+                     threads, [] {}, fail),
+                 std::bad_alloc);
+  }
+}
+
 TEST(ResolveThreads, ZeroStandsForTheMachine) {
   EXPECT_GE(resolve_threads(0), 1u);
   EXPECT_EQ(resolve_threads(1), 1u);
