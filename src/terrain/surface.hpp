@@ -71,7 +71,7 @@ class Surface {
   Array<Point2> sites_;
   Array<double> z_;
   Triangulation delaunay_;
-  std::optional<DelaunayGraph> graph_;  ///< always there
+  std::optional<DelaunayGraph> graph_;  ///< always there: made at the same time as the pits
   std::optional<OrderKVoronoi> voronoi_;
   Pits pits_;
   Array<std::uint32_t> pit_of_;

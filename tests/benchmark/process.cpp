@@ -34,8 +34,8 @@ struct Cost {
 constexpr std::pair<const char*, thalweg::Method> kMethods[] = {
     {"flip", thalweg::Method::flip}, {"hull", thalweg::Method::hull}, {"best", thalweg::Method::best}};
 
-/// Milliseconds of call(). It begins when a few seconds have passed: some hypervisors take memory that is
-/// free for so long, and every call is to meet it in the same state, whoever used it before.
+/// Milliseconds of call(). It begins when a few seconds have passed, in which a hypervisor may take back what
+/// another process has just freed: small and large sets are to meet memory in the same state.
 template <class Call>
 double timed(const Call& call) {
   using Clock = std::chrono::steady_clock;
