@@ -28,6 +28,10 @@ def growth(times):
     return [*map(number, times), number(ratio(times[1], times[0]))]
 
 
+def growth_header(kind, counts):
+    return [f"{kind}, {counts[0]:,}", f"{counts[1]:,}", "growth"]
+
+
 def print_table(header, rows):
     print("| " + " | ".join(header) + " |")
     print("|" + "---|" * len(header))
@@ -89,10 +93,10 @@ class Tables:
         self.note(m)
 
     def c(self):
-        few, many = self.sites, 10 * self.sites
+        few, many = counts = self.sites, 10 * self.sites
         print(f"### From {few:,} to {many:,} uniform sites; n log n grows {10 * math.log(many) / math.log(few):.1f} "
               "times\n")
-        self.first_calls([f"{n:,}" for n in (few, many)], [str(n) for n in (few, many)])
+        self.first_calls(counts)
         delaunay, hull = self.load("c_delaunay"), self.load("c_hull")
         jobs = [("delaunay", delaunay, "delaunay/uniform/{}"),
                 ("delaunay, 2 threads", delaunay, "delaunay/uniform/{}/threads:2"),
@@ -103,23 +107,22 @@ class Tables:
         for title, m, name in jobs:
             row = [title]
             for value in (m.milliseconds, m.least_milliseconds, m.milliseconds_without_system):
-                row += growth([value(name.format(n)) for n in (few, many)])
+                row += growth([value(name.format(n)) for n in counts])
             rows.append(row)
-        sizes = [f"{few:,}", f"{many:,}", "growth"]
-        print_table(["again and again in one process: ms, " + sizes[0], *sizes[1:], "the least, " + sizes[0], *sizes[1:],
-                     "without the system, " + sizes[0], *sizes[1:]], rows)
+        print_table(["again and again in one process", *growth_header("ms", counts), *growth_header("the least", counts),
+                     *growth_header("without the system", counts)], rows)
         print("The system clears memory that is touched for the first time, and a hypervisor may have to find it first. "
               "Where calls follow each other, those with few sites get memory that has just been given back, and those "
               "with many do not.\n")
         self.note(delaunay, hull)
 
-    def first_calls(self, titles, counts):
+    def first_calls(self, counts):
         """Time and peak of the first call of a process, on one thread."""
         calls = {}
         with open(os.path.join(self.results, "c_process.txt"), encoding="utf-8") as file:
             for line in file:
                 count, method, size, milliseconds = line.split()
-                calls.setdefault((count, method), []).append((float(size), float(milliseconds)))
+                calls.setdefault((int(count), method), []).append((float(size), float(milliseconds)))
         rows = []
         for title, method in (("delaunay", "delaunay"), ("hull, order 8", "hull"), ("CGAL's delaunay", "cgal")):
             costs = [list(zip(*calls.get((count, method), []))) or ([None], [None]) for count in counts]
@@ -127,8 +130,8 @@ class Tables:
             for of in (statistics.median, min):
                 row += growth([of(milliseconds) for _, milliseconds in costs])
             rows.append(row + [number(max(sizes)) for sizes, _ in costs])
-        print_table(["the first call of a process: ms, " + titles[0], titles[1], "growth", "the least, " + titles[0],
-                     titles[1], "growth", "peak bytes a site, " + titles[0], titles[1]], rows)
+        print_table(["the first call of a process", *growth_header("ms", counts), *growth_header("the least", counts),
+                     *growth_header("peak bytes a site", counts)[:2]], rows)
         print(f"Wall time on one thread, medians of {max(map(len, calls.values()), default=0)}. Peaks are of the whole "
               "process, the input included.\n")
 
